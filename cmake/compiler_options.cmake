@@ -1,0 +1,19 @@
+include(CheckCXXCompilerFlag)
+
+# Flags of every target; one processor level throughout, so that Eigen's types keep one layout.
+function(lapilli_compiler_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                                           -Werror)
+  target_compile_options(${target} PRIVATE -fno-math-errno -ffp-contract=off)
+  if(LAPILLI_MARCH)
+    check_cxx_compiler_flag(-march=${LAPILLI_MARCH} LAPILLI_MARCH_WORKS)
+    if(LAPILLI_MARCH_WORKS)
+      target_compile_options(${target} PRIVATE -march=${LAPILLI_MARCH})
+    endif()
+  endif()
+  if(LAPILLI_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${LAPILLI_SANITIZE} -fno-omit-frame-pointer
+                                             -fno-sanitize-recover=all)
+    target_link_options(${target} PRIVATE -fsanitize=${LAPILLI_SANITIZE})
+  endif()
+endfunction()
