@@ -1,0 +1,83 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "lapilli/core/vector.hpp"
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace lapilli {
+
+/// Threads that the loops below may use (default: all processors). Does not touch other libraries.
+int thread_count();
+
+/// Set the number of threads of every following loop; 0 means all processors.
+void set_thread_count(int threads);
+
+// The loops below give the same bytes for any number of threads as long as iterations are
+// independent: work is cut in pieces whose size does not depend on the threads, and partial sums
+// are added in order. Bodies must not throw.
+
+/// Rows worked on as one piece by `parallel_ranges` and `parallel_sum`.
+inline constexpr Index piece_rows = 2048;
+
+/// Call body(task) for task = 0 .. tasks-1, each once, handed out dynamically.
+template <class Body>
+void parallel_tasks(Index tasks, const Body& body) {
+#ifdef _OPENMP
+  const int threads = static_cast<int>(std::min<Index>(thread_count(), tasks));
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (threads > 1)
+#endif
+  for (Index task = 0; task < tasks; ++task) {
+    body(task);
+  }
+}
+
+/// Call body(begin, end) over pieces of [0, rows).
+template <class Body>
+void parallel_ranges(Index rows, const Body& body) {
+  const Index pieces = (rows + piece_rows - 1) / piece_rows;
+#ifdef _OPENMP
+  const int threads = static_cast<int>(std::min<Index>(thread_count(), pieces));
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+#endif
+  for (Index piece = 0; piece < pieces; ++piece) {
+    body(piece * piece_rows, std::min(rows, (piece + 1) * piece_rows));
+  }
+}
+
+/// Call body(row) for every row of [0, rows).
+template <class Body>
+void parallel_for(Index rows, const Body& body) {
+  parallel_ranges(rows, [&](Index begin, Index end) {
+    for (Index row = begin; row < end; ++row) {
+      body(row);
+    }
+  });
+}
+
+/// Sum of body(row) over [0, rows): pieces are summed on their own, then in order.
+/// `Sum` may be any type with += and a zero given by `zero`.
+template <class Sum, class Body>
+Sum parallel_sum(Index rows, Sum zero, const Body& body) {
+  const Index pieces = (rows + piece_rows - 1) / piece_rows;
+  std::vector<Sum> partial(static_cast<std::size_t>(pieces), zero);
+  parallel_tasks(pieces, [&](Index piece) {
+    Sum sum = zero;
+    const Index end = std::min(rows, (piece + 1) * piece_rows);
+    for (Index row = piece * piece_rows; row < end; ++row) {
+      sum += body(row);
+    }
+    partial[static_cast<std::size_t>(piece)] = sum;
+  });
+  Sum total = zero;
+  for (const Sum& sum : partial) {
+    total += sum;
+  }
+  return total;
+}
+
+}  // namespace lapilli

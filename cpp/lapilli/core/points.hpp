@@ -1,0 +1,89 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lapilli/core/archive.hpp"
+#include "lapilli/core/vector.hpp"
+
+namespace lapilli {
+
+class PointArray;
+
+/// The points of a simulation: position, volume, id, body. Every array that belongs to points is
+/// attached here and follows them when they are re-ordered. One physics at most moves them.
+class Points {
+ public:
+  explicit Points(int dimension);
+  Points(const Points&) = delete;
+  Points& operator=(const Points&) = delete;
+
+  /// Append points before the simulation starts; `positions` is rows x dimension. Ids count on.
+  void append(std::span<const double> positions, std::span<const double> volumes, int body);
+
+  int dimension() const { return dimension_; }
+  Index size() const { return static_cast<Index>(id_.size()); }
+
+  std::span<double> position() { return position_; }              // m, size x dimension
+  std::span<const double> position() const { return position_; }  //
+  std::span<double> volume() { return volume_; }                  // current volume, m^dim
+  std::span<const double> volume() const { return volume_; }      //
+  std::span<const Index> id() const { return id_; }               // 0 .. size-1, never changes
+  std::span<const Index> body() const { return body_; }           // which body of the scene
+
+  template <int Dim>
+  Vec<Dim> position(Index point) const {
+    return Eigen::Map<const Vec<Dim>>(position_.data() + point * Dim);
+  }
+
+  /// Say that positions (or volumes) have changed. Weights built before are stale.
+  void moved() { ++version_; }
+  Index version() const { return version_; }
+
+  /// Re-order: new row k holds what was in row order[k]; attached arrays follow in place, so their
+  /// addresses stay.
+  void permute(std::span<const Index> order);
+  /// Counts re-orderings, for those who keep row numbers.
+  Index ordering() const { return ordering_; }
+
+  void save(Archive& archive) const;
+  void load(const Archive& archive);
+
+ private:
+  friend class PointArray;
+  void attach(PointArray* array);
+  void detach(PointArray* array);
+
+  int dimension_;
+  std::vector<double> position_, volume_;
+  std::vector<Index> id_, body_;
+  std::vector<PointArray*> attached_;
+  Index version_ = 0, ordering_ = 0;
+};
+
+/// A per-point array of `components` doubles a row, owned by a physics, that follows the points.
+/// The points must outlive it, and be complete when it is made.
+class PointArray {
+ public:
+  PointArray(Points& points, int components, double value = 0.0);
+  ~PointArray();
+  PointArray(const PointArray&) = delete;
+  PointArray& operator=(const PointArray&) = delete;
+
+  int components() const { return components_; }
+  double* data() { return values_.data(); }
+  const double* data() const { return values_.data(); }
+  std::span<double> values() { return values_; }
+  std::span<const double> values() const { return values_; }
+  double& operator[](Index row) { return values_[static_cast<std::size_t>(row)]; }
+  double operator[](Index row) const { return values_[static_cast<std::size_t>(row)]; }
+
+ private:
+  Points& points_;
+  int components_;
+  std::vector<double> values_;
+};
+
+}  // namespace lapilli

@@ -1,0 +1,115 @@
+#include "lapilli/core/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+
+Simulation::Simulation(std::unique_ptr<Points> points, std::vector<std::unique_ptr<Physics>> physics,
+                       Clock clock)
+    : points_(std::move(points)), physics_(std::move(physics)), clock_(clock) {
+  require(!physics_.empty(), "the scene contains no physics: add a section such as [heat]");
+  next_step_size();
+}
+
+double Simulation::next_step_size() const {
+  double size = clock_.fixed_step > 0.0 ? clock_.fixed_step : clock_.largest_step;
+  for (const auto& physics : physics_) {
+    const StepLimit limit = physics->step_limit();
+    if (clock_.fixed_step > 0.0) {
+      require(clock_.fixed_step <= limit.hard * (1.0 + 1e-12), "time.step of ", clock_.fixed_step,
+              " s is above the limit of ", limit.hard, " s (", physics->name(), ": ", limit.reason,
+              ")");
+    } else {
+      size = std::min(size, limit.automatic);
+    }
+  }
+  require(std::isfinite(size) && size > 0.0,
+          "no physics of this scene limits the step: give time.step or time.steps");
+  return size;
+}
+
+StepReport Simulation::step(double until) {
+  double size = next_step_size();
+  const double left = until - time_;
+  // A remainder below a millionth of a step is rounding, not a step of its own.
+  if (left < size * (1.0 + 1e-6)) {
+    size = left;
+  }
+  StepReport report = advance(size);
+  if (size == left && report.accepted == size) {
+    time_ = until;
+  }
+  return report;
+}
+
+StepReport Simulation::advance(double size) {
+  StepReport total;
+  total.accepted = size;
+  try {
+    for (const auto& physics : physics_) {
+      const StepReport report = physics->advance({time_, size, index_});
+      total.accepted = std::min(total.accepted, report.accepted);
+      total.iterations += report.iterations;
+      total.residual = std::max(total.residual, report.residual);
+    }
+  } catch (const RunError& error) {
+    throw RunError(message("step ", index_, ", time ", time_, " s: ", error.what()));
+  }
+  time_ += total.accepted;
+  ++index_;
+  return total;
+}
+
+void Simulation::run_until(double time, const std::function<bool(const Simulation&)>& after_step) {
+  require(time >= time_, "cannot run back to ", time, " s: the clock is at ", time_, " s");
+  while (time_ < time) {
+    step(time);
+    if (after_step && !after_step(*this)) {
+      return;
+    }
+  }
+}
+
+std::vector<Field> Simulation::fields() {
+  std::vector<Field> all;
+  for (const auto& physics : physics_) {
+    physics->refresh_output();
+    for (Field& field : physics->fields()) {
+      all.push_back(std::move(field));
+    }
+  }
+  return all;
+}
+
+std::vector<Ledger> Simulation::ledgers() const {
+  std::vector<Ledger> all;
+  for (const auto& physics : physics_) {
+    for (Ledger& ledger : physics->ledgers()) {
+      all.push_back(std::move(ledger));
+    }
+  }
+  return all;
+}
+
+void Simulation::save(Archive& archive) const {
+  archive.write("clock/time", time_);
+  archive.write("clock/index", index_);
+  points_->save(archive);
+  for (const auto& physics : physics_) {
+    physics->save(archive);
+  }
+}
+
+void Simulation::load(const Archive& archive) {
+  time_ = archive.read_number("clock/time");
+  index_ = archive.read_index("clock/index");
+  points_->load(archive);
+  for (const auto& physics : physics_) {
+    physics->load(archive);
+  }
+}
+
+}  // namespace lapilli

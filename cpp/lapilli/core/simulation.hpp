@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lapilli/core/physics.hpp"
+#include "lapilli/core/points.hpp"
+
+namespace lapilli {
+
+/// A clock, the points and an ordered list of physics.
+class Simulation {
+ public:
+  /// How steps are chosen: `fixed_step` > 0 is taken as it is (refused above the hard limit),
+  /// otherwise the smallest automatic step of the physics.
+  struct Clock {
+    double end = 0.0;         // s
+    double fixed_step = 0.0;  // s; 0: automatic
+    double largest_step = std::numeric_limits<double>::infinity();  // s, for unlimited physics
+  };
+
+  Simulation(std::unique_ptr<Points> points, std::vector<std::unique_ptr<Physics>> physics,
+             Clock clock);
+
+  double time() const { return time_; }
+  double end() const { return clock_.end; }
+  Index step_index() const { return index_; }
+  Points& points() { return *points_; }
+  const Points& points() const { return *points_; }
+  const std::vector<std::unique_ptr<Physics>>& physics() const { return physics_; }
+
+  /// The step the clock would take now. Throws std::invalid_argument above a hard limit, naming the
+  /// limit and its reason.
+  double next_step_size() const;
+
+  /// One step, cut so as not to pass `until`. Throws RunError with step and time when it fails.
+  StepReport step(double until = std::numeric_limits<double>::infinity());
+
+  /// Step until `time`, exactly; `after_step` may return false to stop early.
+  void run_until(double time, const std::function<bool(const Simulation&)>& after_step = {});
+
+  /// Every field of every physics, brought up to date, "position" excluded.
+  std::vector<Field> fields();
+  std::vector<Ledger> ledgers() const;
+
+  void save(Archive& archive) const;
+  void load(const Archive& archive);
+
+ private:
+  StepReport advance(double size);
+
+  std::unique_ptr<Points> points_;
+  std::vector<std::unique_ptr<Physics>> physics_;
+  Clock clock_;
+  double time_ = 0.0;
+  Index index_ = 0;
+};
+
+}  // namespace lapilli
