@@ -18,7 +18,7 @@ struct Key {
   constexpr explicit Key(const char* key_name) : name(key_name) {}
 
   constexpr Key unit(const char* of) const { return with(&Key::of_unit, of); }
-  constexpr Key text(const char* meaning) const { return with(&Key::meaning, meaning); }
+  constexpr Key text(const char* says) const { return with(&Key::meaning, says); }
   constexpr Key positive() const { return range(0.0, infinity(), true); }
   constexpr Key non_negative() const { return range(0.0, infinity(), false); }
   /// Least and largest allowed value; `open` excludes the least one.
