@@ -1,0 +1,82 @@
+#include "lapilli/core/allowed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace lapilli {
+namespace {
+
+/// Fewest insertions, removals, replacements and swaps of neighbours between two words.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  std::iota(last.begin(), last.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        row[j] = std::min(row[j], before[j - 2] + 1);
+      }
+    }
+    before.swap(last);
+    last.swap(row);
+  }
+  return last[b.size()];
+}
+
+}  // namespace
+
+std::string allowed_range(const Key& key) {
+  std::string words;
+  if (std::isfinite(key.least) && std::isfinite(key.most)) {
+    words = key.open ? message("above ", key.least, " and at most ", key.most)
+                     : message("from ", key.least, " to ", key.most);
+  } else if (std::isfinite(key.least)) {
+    words = key.open ? message("above ", key.least) : message("at least ", key.least);
+  } else if (std::isfinite(key.most)) {
+    words = message("at most ", key.most);
+  }
+  if (!words.empty() && *key.of_unit != '\0') {
+    words += message(" (", key.of_unit, ")");
+  }
+  return words;
+}
+
+void check_range(const Key& key, double value, std::string_view where) {
+  const bool inside = std::isfinite(value) && (key.open ? value > key.least : value >= key.least) &&
+                      value <= key.most;
+  if (!inside) {
+    const std::string range = allowed_range(key);
+    require(false, where, where.empty() ? "" : ": ", key.name, " must be ",
+            range.empty() ? "a finite number" : range, ", got ", value);
+  }
+}
+
+std::string nearest_name(std::string_view given, const std::vector<std::string>& candidates) {
+  std::string nearest;
+  std::size_t least = std::max<std::size_t>(2, given.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edit_distance(given, candidate);
+    if (distance < least) {
+      least = distance;
+      nearest = candidate;
+    }
+  }
+  return nearest;
+}
+
+std::string unknown_name(std::string_view what, std::string_view given,
+                         const std::vector<std::string>& candidates) {
+  const std::string nearest = nearest_name(given, candidates);
+  if (!nearest.empty()) {
+    return message("unknown ", what, " '", given, "'; did you mean '", nearest, "'?");
+  }
+  std::string all;
+  for (const std::string& candidate : candidates) {
+    all += (all.empty() ? "" : ", ") + candidate;
+  }
+  return message("unknown ", what, " '", given, "'; there is: ", all);
+}
+
+}  // namespace lapilli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lapilli/core/describe.hpp"
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+
+/// What a number of this key may be, in words: "above 0 (W/(m K))", "from 0 to 1".
+/// Empty where every finite number may stand.
+std::string allowed_range(const Key& key);
+
+/// Throws std::invalid_argument unless `value` is finite and in the key's range. The message reads
+/// "<where>: <key> must be above 0 (m), got -1"; every reader of a scene says it so.
+void check_range(const Key& key, double value, std::string_view where);
+
+/// The candidate that a user most likely meant by `given`; empty when none is near.
+std::string nearest_name(std::string_view given, const std::vector<std::string>& candidates);
+
+/// "unknown key 'celll'; did you mean 'cell'?", or the list of what there is.
+std::string unknown_name(std::string_view what, std::string_view given,
+                         const std::vector<std::string>& candidates);
+
+}  // namespace lapilli
