@@ -9,5 +9,9 @@ A reference that shares code with the solver proves nothing; importing it must n
 | slab | slab, rectangle, cube with convection; slab with prescribed faces | series and images |
 | finite_difference | ring, sphere, square | the heat paper's own schemes, misprints undone |
 | plane | any union of cells in the plane, the L-shape | finite volumes, TR-BDF2 |
+| elastic | thick cylinder, annulus, column under its weight, contained block | closed form |
+| bar_wave | waves in an elastic bar with fixed or free ends | d'Alembert |
+| plane_strain | rectangle under a body force: deep beam, cantilever | bilinear finite elements |
+| granular | run-out of a collapsing column | published fits to experiments |
 | swirl | heated disc whose circles turn at their own speeds | exact motion, radial conduction |
 """
