@@ -36,6 +36,22 @@ struct Key {
     return key;
   }
 
+  /// A list that may also be written as its one element.
+  constexpr Key one_or_many() const {
+    Key key = *this;
+    key.single_allowed = true;
+    return key;
+  }
+  /// How many numbers a list holds.
+  constexpr Key length(int least_length, int most_length) const {
+    Key key = *this;
+    key.shortest = least_length;
+    key.longest = most_length;
+    return key;
+  }
+  /// The word that stands for an optional member that is not set: "auto".
+  constexpr Key absent(const char* word) const { return with(&Key::absent_word, word); }
+
   const char* name;
   const char* of_unit = "";
   const char* meaning = "";
@@ -43,6 +59,10 @@ struct Key {
   double most = infinity();
   bool open = false;
   bool is_required = false;
+  bool single_allowed = false;
+  int shortest = 0;
+  int longest = std::numeric_limits<int>::max();
+  const char* absent_word = "";
 
  private:
   static constexpr double infinity() { return std::numeric_limits<double>::infinity(); }

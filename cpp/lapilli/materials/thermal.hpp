@@ -8,6 +8,7 @@ namespace lapilli {
 /// A solid that stores and conducts heat (Fourier), with constant coefficients.
 /// Not modelled: temperature dependence, phase change.
 struct Thermal {
+  static constexpr const char* kind = "thermal";
   double density = 0.0;          // kg/m3, of the undeformed body
   double specific_heat = 0.0;    // J/(kg K)
   SymmetricTensor conductivity;  // W/(m K); a number is isotropic

@@ -1,0 +1,176 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "lapilli/core/describe.hpp"
+#include "lapilli/core/value.hpp"
+#include "lapilli/geometry/shape.hpp"
+
+namespace lapilli {
+
+/// How a flux law reaches the nodes.
+enum class FluxMethod {
+  virtual_flux,  // nodal normals, A_I = n_I . sum V grad S: the default
+  paper,         // Yu & Zhao 2026, Algorithm 1: particle normals, volume-fraction surface
+  particle,      // PB: the law acts on the outermost layer of points
+  node           // NB: exact nodal areas; surfaces that lie on grid lines only
+};
+
+template <>
+struct Names<FluxMethod> {
+  static constexpr std::pair<FluxMethod, const char*> values[] = {
+      {FluxMethod::virtual_flux, "virtual"},
+      {FluxMethod::paper, "paper"},
+      {FluxMethod::particle, "particle"},
+      {FluxMethod::node, "node"}};
+};
+
+/// What points and nodes hand each other in a step.
+enum class HeatTransfer {
+  automatic,  // `kept` where nothing moves, `affine` where points do
+  kept,       // nodal temperature stays between steps; points at rest only
+  affine,     // affine FLIP with the step-scaled TPIC blend
+  flip,
+  pic,
+  tpic
+};
+
+template <>
+struct Names<HeatTransfer> {
+  static constexpr std::pair<HeatTransfer, const char*> values[] = {
+      {HeatTransfer::automatic, "auto"}, {HeatTransfer::kept, "kept"},
+      {HeatTransfer::affine, "affine"},  {HeatTransfer::flip, "flip"},
+      {HeatTransfer::pic, "pic"},        {HeatTransfer::tpic, "tpic"}};
+};
+
+/// How the nodal temperatures are advanced.
+enum class HeatStepping { explicit_euler, theta };
+
+template <>
+struct Names<HeatStepping> {
+  static constexpr std::pair<HeatStepping, const char*> values[] = {
+      {HeatStepping::explicit_euler, "explicit"}, {HeatStepping::theta, "theta"}};
+};
+
+/// Linear solver of the theta scheme.
+enum class HeatSolver { automatic, direct, conjugate_gradient };
+
+template <>
+struct Names<HeatSolver> {
+  static constexpr std::pair<HeatSolver, const char*> values[] = {
+      {HeatSolver::automatic, "auto"},
+      {HeatSolver::direct, "direct"},
+      {HeatSolver::conjugate_gradient, "cg"}};
+};
+
+/// A prescribed flux into the body.
+struct PrescribedFlux {
+  static constexpr const char* kind = "flux";
+  std::string name;
+  Value value;                   // W/m^2, positive into the body
+  std::optional<Shape> region;   // the surface inside this shape; all that is left when absent
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("name").text("name of the region in ledger and messages"), self.name);
+    visit(Key("value").unit("W/m^2").required().text("flux, positive into the body"), self.value);
+    visit(Key("region").text("shape that selects the surface"), self.region);
+  }
+};
+
+/// Newton's law of cooling: flux into the body = coefficient (ambient - T).
+struct Convection {
+  static constexpr const char* kind = "convection";
+  std::string name;
+  Value coefficient;            // W/(m^2 K)
+  Value ambient;                // K
+  std::optional<Shape> region;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("name").text("name of the region in ledger and messages"), self.name);
+    visit(Key("coefficient").unit("W/(m^2 K)").non_negative().required().text(
+              "heat transfer coefficient"),
+          self.coefficient);
+    visit(Key("ambient").unit("K").required().text("temperature far away"), self.ambient);
+    visit(Key("region").text("shape that selects the surface"), self.region);
+  }
+};
+
+/// Grey-body exchange: flux into the body = emissivity sigma (ambient^4 - T^4), absolute K.
+struct Radiation {
+  static constexpr const char* kind = "radiation";
+  std::string name;
+  Value emissivity = 1.0;                     // 0 to 1
+  Value ambient;                              // K, absolute
+  double stefan_boltzmann = 5.670374419e-8;   // W/(m^2 K^4), in the scene's units
+  std::optional<Shape> region;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("name").text("name of the region in ledger and messages"), self.name);
+    visit(Key("emissivity").range(0.0, 1.0).text("emissivity"), self.emissivity);
+    visit(Key("ambient").unit("K").required().non_negative().text("absolute temperature far away"), self.ambient);
+    visit(Key("stefan_boltzmann").unit("W/(m^2 K^4)").positive().text(
+              "Stefan-Boltzmann constant in the scene's units"),
+          self.stefan_boltzmann);
+    visit(Key("region").text("shape that selects the surface"), self.region);
+  }
+};
+
+/// A temperature held on a surface that need not fit the grid.
+struct PrescribedTemperature {
+  static constexpr const char* kind = "temperature";
+  std::string name;
+  Value value;                  // K
+  std::optional<Shape> region;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("name").text("name of the region in ledger and messages"), self.name);
+    visit(Key("value").unit("K").required().text("temperature of the surface"), self.value);
+    visit(Key("region").text("shape that selects the surface"), self.region);
+  }
+};
+
+using HeatBoundary = std::variant<PrescribedFlux, Convection, Radiation, PrescribedTemperature>;
+
+/// Heat conduction: the section [heat] of a scene.
+struct HeatSettings {
+  FluxMethod method = FluxMethod::virtual_flux;
+  HeatTransfer transfer = HeatTransfer::automatic;
+  HeatStepping stepping = HeatStepping::explicit_euler;
+  double theta = 0.5;                           // 0.5 Crank-Nicolson, 1 backward Euler
+  HeatSolver solver = HeatSolver::automatic;
+  double blend = 4.0;                           // c of beta = 1 - exp(-c dt alpha/h^2)
+  int normal_smoothing = 2;                     // passes of 1/4, 1/2, 1/4 before nodal normals
+  double surface_fraction = 0.55;               // eta of the paper's surface rule
+  bool corner_fit = true;                       // fitted vector at sharp corners
+  bool rescale_areas = false;                   // areas scaled to a contour; sparse points
+  std::vector<HeatBoundary> boundaries;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("method").text("how flux laws reach the nodes"), self.method);
+    visit(Key("transfer").text("what points and nodes hand each other"), self.transfer);
+    visit(Key("stepping").text("explicit Euler or the implicit theta scheme"), self.stepping);
+    visit(Key("theta").range(0.5, 1.0).text("implicitness of the theta scheme"), self.theta);
+    visit(Key("solver").text("linear solver of the theta scheme"), self.solver);
+    visit(Key("blend").range(0.0, 1e3).text("c of the step-scaled blend 1 - exp(-c dt alpha/h^2)"), self.blend);
+    visit(Key("normal_smoothing").range(0, 16).text("smoothing passes before nodal normals"),
+          self.normal_smoothing);
+    visit(Key("surface_fraction").range(0.0, 1.0, true).text(
+              "volume fraction below which a cell is surface (method paper)"),
+          self.surface_fraction);
+    visit(Key("corner_fit").text("give sharp corners their whole area"), self.corner_fit);
+    visit(Key("rescale_areas").text("scale areas to a smoothed contour, for sparse points"), self.rescale_areas);
+    visit(Key("boundaries").text("flux laws and held temperatures; the first region that covers a place wins"),
+          self.boundaries);
+  }
+};
+
+}  // namespace lapilli

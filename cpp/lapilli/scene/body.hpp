@@ -1,0 +1,133 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lapilli/core/describe.hpp"
+#include "lapilli/core/value.hpp"
+#include "lapilli/geometry/shape.hpp"
+#include "lapilli/materials/thermal.hpp"
+
+namespace lapilli {
+
+/// What a body is made of; each physics takes the one it knows.
+using Material = std::variant<Thermal>;
+
+/// A body turned at constant speed.
+struct RotationMotion {
+  static constexpr const char* kind = "rotation";
+  std::vector<double> center;                  // m; empty: the origin
+  double revolutions_per_second = 0.0;         // 1/s, anticlockwise
+  std::vector<double> axis = {0.0, 0.0, 1.0};  // three dimensions only
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("center").unit("m").length(0, 3).text("point that stays; empty: the origin"),
+          self.center);
+    visit(Key("revolutions_per_second").unit("1/s").required().text("speed, anticlockwise"),
+          self.revolutions_per_second);
+    visit(Key("axis").length(3, 3).text("direction that stays, in three dimensions"), self.axis);
+  }
+};
+
+/// A body moved at constant velocity.
+struct TranslationMotion {
+  static constexpr const char* kind = "translation";
+  std::vector<double> velocity;  // m/s
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("velocity").unit("m/s").required().length(1, 3).text("velocity"), self.velocity);
+  }
+};
+
+using Motion = std::variant<RotationMotion, TranslationMotion>;
+
+/// Points handed over by a program; no file holds them.
+struct GivenPoints {
+  std::vector<double> positions;  // m, rows x dimension
+  std::vector<double> volumes;    // m^dimension
+};
+
+/// A picture whose dark pixels are the body.
+struct ImageSource {
+  std::string file;           // PGM or PNG, beside the scene file unless absolute
+  std::vector<double> lower;  // m, lower left corner of the picture
+  double width = 1.0;         // m
+  double threshold = 0.5;     // of white
+  bool dark = true;           // dark pixels are the body
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("file").required().text("image file, beside the scene file unless absolute"),
+          self.file);
+    visit(Key("lower").unit("m").required().length(2, 2).text("lower left corner of the picture"),
+          self.lower);
+    visit(Key("width").unit("m").positive().required().text("width of the picture"), self.width);
+    visit(Key("threshold").range(0.0, 1.0).text("brightness that parts body from background"),
+          self.threshold);
+    visit(Key("dark").text("whether dark pixels are the body, or bright ones"), self.dark);
+  }
+};
+
+/// A body: where its points come from, what it is made of, how it starts and how it is moved.
+/// Points come from one of `shape`, `image`, `points_file`, `points`.
+struct Body {
+  std::string name;
+  std::optional<Shape> shape;
+  std::optional<ImageSource> image;
+  std::string points_file;                       // text rows: coordinates, volume
+  std::optional<GivenPoints> points;             // from a program only
+  std::optional<int> points_per_cell;            // automatic: two along each axis
+  bool clip = false;                             // cut boundary points to the shape
+  double jitter = 0.0;                           // of the points' spacing
+  bool random = false;                           // anywhere in their cell instead of a lattice
+  Index seed = 1;                                // of jitter and random
+  double rotation = 0.0;                         // degree, of the filled points
+  std::vector<double> rotation_center;           // m; empty: the origin
+  std::vector<double> rotation_axis = {0, 0, 1};  // three dimensions only
+  std::vector<double> translation;               // m, after the rotation; empty: none
+  std::vector<Material> material;
+  Value temperature = 0.0;                       // K, at the start
+  Value source = 0.0;                            // W/m^3, heat released
+  std::vector<double> velocity;                  // m/s, at the start; empty: at rest
+  std::optional<Motion> motion;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("name").text("name in messages and results"), self.name);
+    visit(Key("shape").text("shape filled with points"), self.shape);
+    visit(Key("image").text("image whose pixels are the body"), self.image);
+    visit(Key("points_file").text("text file of points: coordinates and volume in each row"),
+          self.points_file);
+    visit(Key("points").text("arrays of points, from a program only"), self.points);
+    visit(Key("points_per_cell").range(1, 1000).absent("auto").text(
+              "points in a full cell, the same number along each axis"),
+          self.points_per_cell);
+    visit(Key("clip").text("cut the volume of boundary points to the shape"), self.clip);
+    visit(Key("jitter").range(0.0, 0.5).text("random displacement, in spacings of the points"),
+          self.jitter);
+    visit(Key("random").text("points anywhere in the shape instead of on a lattice"), self.random);
+    visit(Key("seed").non_negative().text("seed of jitter and random"), self.seed);
+    visit(Key("rotation").unit("degree").text("turn of the filled points, anticlockwise"),
+          self.rotation);
+    visit(Key("rotation_center").unit("m").length(0, 3).text(
+              "point that stays; empty: the origin"),
+          self.rotation_center);
+    visit(Key("rotation_axis").length(3, 3).text("direction that stays, in three dimensions"),
+          self.rotation_axis);
+    visit(Key("translation").unit("m").length(0, 3).text("displacement after the turn"),
+          self.translation);
+    visit(Key("material").required().one_or_many().length(1, 16).text(
+              "what it is made of: one material, or one for each physics"),
+          self.material);
+    visit(Key("temperature").unit("K").text("temperature at the start"), self.temperature);
+    visit(Key("source").unit("W/m3").text("heat released in its volume"), self.source);
+    visit(Key("velocity").unit("m/s").length(0, 3).text("velocity at the start"), self.velocity);
+    visit(Key("motion").text("prescribed rigid motion"), self.motion);
+  }
+};
+
+}  // namespace lapilli

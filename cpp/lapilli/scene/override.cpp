@@ -1,0 +1,170 @@
+#include <charconv>
+#include <span>
+
+#include "lapilli/scene/scene_file.hpp"
+#include "lapilli/scene/toml_source.hpp"
+#include "lapilli/scene/tree_reader.hpp"
+
+namespace lapilli {
+namespace {
+
+using Path = std::span<const std::string>;
+
+std::vector<std::string> split_path(const std::string& path) {
+  std::vector<std::string> names;
+  std::size_t begin = 0;
+  while (begin <= path.size()) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    names.push_back(path.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return names;
+}
+
+bool is_word(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                 "0123456789_-./") == std::string::npos;
+}
+
+Tree value_of(const std::string& text) {
+  double number = 0.0;
+  const char* end = text.data() + text.size();
+  try {
+    const Tree tree = parse_toml("value = " + text, "--set");
+    if (tree.table()->size() == 1) {
+      return tree.table()->front().value;
+    }
+  } catch (const std::invalid_argument&) {
+    if (std::from_chars(text.data(), end, number).ptr == end && !text.empty()) {
+      return {number, {}};  // ".5", which TOML does not know
+    }
+    if (is_word(text)) {
+      return {text, {}};
+    }
+  }
+  require(false, "--set: the value ", text.empty() ? "is missing" : "is not valid TOML: ", text);
+  return {};
+}
+
+// Forget places of an untouched file; the tree of the value has none.
+void forget_places(Tree& tree) {
+  tree.place = {};
+  if (auto* array = std::get_if<Tree::Array>(&tree.value)) {
+    std::for_each(array->begin(), array->end(), forget_places);
+  } else if (auto* table = std::get_if<Tree::Table>(&tree.value)) {
+    for (Tree::Entry& entry : *table) {
+      entry.place = {};
+      forget_places(entry.value);
+    }
+  }
+}
+
+// Walks down a scene to the member at a path and reads a value into it.
+class Setter {
+ public:
+  Setter(Places& places, const Tree& value) : reader_(places), value_(value) {}
+
+  template <class T>
+  void set(T& member, const Key& key, const std::string& at, Path rest) {
+    if (rest.empty()) {
+      reader_.read(value_, key, at, member);
+    } else if constexpr (is_optional<T>) {
+      if (member) {
+        set(*member, key, at, rest);
+      } else {
+        reader_.read(nested(rest), key, at, member);
+      }
+    } else if constexpr (is_vector<T>) {
+      set_element(member, key, at, rest);
+    } else if constexpr (Indirect<T>) {
+      Held<T> held = member.empty() ? Held<T>() : *member;
+      set(held, key, at, rest);
+      member = T(std::move(held));
+    } else if constexpr (Kinded<T>) {
+      require(rest.front() != "kind", "--set: ", at,
+              ".kind cannot change alone: set the whole of it, ", at, "={kind = ...}");
+      std::visit([&](auto& alternative) { set(alternative, key, at, rest); }, variant_of(member));
+    } else if constexpr (Described<T>) {
+      set_member(member, at, rest);
+    } else {
+      require(false, "--set: ", at, " has no parts, so there is no ",
+              joined_path(at, rest.front()));
+    }
+  }
+
+ private:
+  template <Described T>
+  void set_member(T& object, const std::string& at, Path rest) {
+    bool found = false;
+    std::vector<std::string> allowed;
+    auto visit = [&](const Key& key, auto& member) {
+      allowed.push_back(key.name);
+      if (!found && rest.front() == key.name) {
+        found = true;
+        set(member, key, joined_path(at, key.name), rest.subspan(1));
+      }
+    };
+    T::describe(object, visit);
+    require(found, "--set: ", joined_path(at, rest.front()), " is no known key",
+            suggestion(rest.front(), allowed));
+  }
+
+  template <class T>
+  void set_element(std::vector<T>& list, const Key& key, const std::string& at, Path rest) {
+    const std::string& word = rest.front();
+    std::size_t index = 0;
+    const char* end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data(), end, index);
+    const bool is_number = error == std::errc() && stop == end && !word.empty();
+    if (!is_number && key.single_allowed && list.size() == 1) {
+      set(list.front(), key, at, rest);
+      return;
+    }
+    require(is_number && index < list.size(), "--set: ", joined_path(at, word),
+            " does not exist: ", at, " has ", list.size(), " entries, counted from 0");
+    T element = list[index];
+    set(element, key, joined_path(at, word), rest.subspan(1));
+    list[index] = std::move(element);
+  }
+
+  // {a = {b = value}} for the path a.b.
+  Tree nested(Path path) const {
+    Tree tree = value_;
+    for (std::size_t k = path.size(); k-- > 0;) {
+      tree = Tree{Tree::Table{{path[k], {}, std::move(tree)}}, {}};
+    }
+    return tree;
+  }
+
+  TreeReader reader_;
+  const Tree& value_;
+};
+
+}  // namespace
+
+void apply_override(Scene& scene, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  require(equals != std::string::npos && equals > 0, "--set needs key=value, got \"", assignment, "\"");
+  const auto trimmed = [](const std::string& text) {
+    const std::size_t begin = text.find_first_not_of(" \t");
+    return begin == std::string::npos ? std::string()
+                                      : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+  };
+  Tree value = value_of(trimmed(assignment.substr(equals + 1)));
+  forget_places(value);
+  const std::string path = trimmed(assignment.substr(0, equals));
+  Places set_places;
+  set_places.source = "--set";
+  Scene changed = scene;
+  Setter(set_places, value).set(changed, Key(""), "", split_path(path));
+  if (scene.places) {
+    auto places = std::make_shared<Places>(*scene.places);
+    std::erase_if(places->at, [&](const auto& entry) {
+      return entry.first == path || entry.first.starts_with(path + ".");
+    });
+    changed.places = std::move(places);
+  }
+  scene = std::move(changed);
+}
+
+}  // namespace lapilli

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lapilli/core/describe.hpp"
+#include "lapilli/mpm/heat/heat_settings.hpp"
+#include "lapilli/mpm/shape_function.hpp"
+#include "lapilli/scene/body.hpp"
+
+namespace lapilli {
+
+/// The background grid; its corners give the dimension of the scene.
+struct GridSettings {
+  std::vector<double> lower;  // m, 1 to 3 numbers
+  std::vector<double> upper;  // m, as many, a whole number of cells away
+  double cell = 0.0;          // m
+  ShapeFunction shape_function = ShapeFunction::gimp;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("lower").unit("m").required().length(1, 3).text("corner with the least coordinates"),
+          self.lower);
+    visit(Key("upper").unit("m").required().length(1, 3).text(
+              "corner with the largest coordinates, a whole number of cells away"),
+          self.upper);
+    visit(Key("cell").unit("m").positive().required().text("size of a cell"), self.cell);
+    visit(Key("shape_function").text("shape function of the nodes"), self.shape_function);
+  }
+};
+
+/// When the run ends and how its steps are chosen.
+struct TimeSettings {
+  double end = 0.0;             // s
+  std::optional<double> step;   // s; not set: automatic
+  std::optional<Index> steps;   // equal steps to the end, for scenes that no step limits
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("end").unit("s").positive().required().text("time at which the run ends"), self.end);
+    visit(Key("step").unit("s").positive().absent("auto").text("size of a step"), self.step);
+    visit(Key("steps").range(1, 1e12).text("number of equal steps to the end, instead of a size"),
+          self.steps);
+  }
+};
+
+/// What a run leaves on disk.
+struct OutputSettings {
+  std::string path;               // frames for ParaView; empty: none
+  std::optional<double> every;    // s between frames; not set: the first and the last
+  bool checkpoint = true;         // beside the frames, to resume from
+  double checkpoint_every = 300;  // s of wall time
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("path").text("file of frames for ParaView; empty: none"), self.path);
+    visit(Key("every").unit("s").positive().text(
+              "time between frames; the first and the last only when not given"),
+          self.every);
+    visit(Key("checkpoint").text("keep a state to resume from beside the frames"), self.checkpoint);
+    visit(Key("checkpoint_every").unit("s").positive().text("wall time between checkpoints"),
+          self.checkpoint_every);
+  }
+};
+
+struct Places;
+
+/// All that a run computes, as plain data. A section that is absent is physics that is not modelled.
+struct Scene {
+  std::string title;
+  GridSettings grid;
+  std::vector<Body> bodies;
+  std::optional<HeatSettings> heat;
+  TimeSettings time;
+  OutputSettings output;
+  std::shared_ptr<const Places> places;  // where each key stood in the file; null when in none
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("title").text("what the scene shows"), self.title);
+    visit(Key("grid").required().text("background grid"), self.grid);
+    visit(Key("bodies").required().length(1, 1000000).text("bodies"), self.bodies);
+    visit(Key("heat").text("heat conduction; absent: not modelled"), self.heat);
+    visit(Key("time").required().text("end and steps"), self.time);
+    visit(Key("output").text("frames and checkpoints"), self.output);
+  }
+};
+
+}  // namespace lapilli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lapilli/scene/scene.hpp"
+#include "lapilli/scene/tree_writer.hpp"
+
+namespace lapilli {
+
+/// The scene of a TOML text; `name` is the file's name in messages. Throws std::invalid_argument
+/// with file, line, key, what was given and what is allowed. What the keys mean together is checked
+/// by validate().
+Scene parse_scene(std::string_view text, const std::string& name);
+
+/// The scene of a TOML file.
+Scene load_scene(const std::string& path);
+
+/// The scene as TOML; reads back to the same scene, bit by bit. Throws std::invalid_argument by name
+/// for functions and arrays, which no file holds.
+std::string to_toml(const Scene& scene, Members members = Members::changed);
+
+/// Write the scene as TOML, whole or not at all.
+void save_scene(const Scene& scene, const std::string& path, Members members = Members::changed);
+
+/// Every setting with defaults filled in, as JSON; functions and arrays are named, not shown.
+std::string to_json(const Scene& scene);
+
+/// Set one member by its path: "grid.cell=0.05", "bodies.0.points_per_cell=9",
+/// "heat.boundaries.0.region={kind = \"disk\", radius = 2}". The value is TOML; quotes around a
+/// single word may be left out. Throws as a file's reader does.
+void apply_override(Scene& scene, const std::string& assignment);
+
+/// The directory that relative file names of the scene start from; empty: the current one.
+std::string directory_of(const Scene& scene);
+
+}  // namespace lapilli

@@ -1,0 +1,70 @@
+#include "lapilli/scene/toml_source.hpp"
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+namespace {
+
+Place place_of(const toml::source_region& region) {
+  return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+}
+
+Tree tree_of(const toml::node& node) {
+  Tree tree;
+  tree.place = place_of(node.source());
+  if (const auto* table = node.as_table()) {
+    Tree::Table entries;
+    for (auto&& [key, value] : *table) {
+      entries.push_back({std::string(key.str()), place_of(key.source()), tree_of(value)});
+    }
+    tree.value = std::move(entries);
+  } else if (const auto* array = node.as_array()) {
+    Tree::Array elements;
+    for (auto&& element : *array) {
+      elements.push_back(tree_of(element));
+    }
+    tree.value = std::move(elements);
+  } else if (const auto* text = node.as_string()) {
+    tree.value = text->get();
+  } else if (const auto* integer = node.as_integer()) {
+    tree.value = static_cast<Index>(integer->get());
+  } else if (const auto* number = node.as_floating_point()) {
+    tree.value = number->get();
+  } else if (const auto* boolean = node.as_boolean()) {
+    tree.value = boolean->get();
+  } else {
+    tree.value = Tree::Foreign{node.is_time() ? "a time of day" : "a date"};
+  }
+  return tree;
+}
+
+}  // namespace
+
+Tree parse_toml(std::string_view text, const std::string& name) {
+  try {
+    const toml::table table = toml::parse(text, name);
+    return tree_of(table);
+  } catch (const toml::parse_error& error) {
+    const Place place = place_of(error.source());
+    throw std::invalid_argument(message(name, ":", place.line, ":", place.column,
+                                        ": no valid TOML: ", std::string(error.description())));
+  }
+}
+
+std::string read_text(const std::string& path) {
+  std::error_code ignored;
+  require(std::filesystem::exists(path, ignored), path, ": there is no such file");
+  require(std::filesystem::is_regular_file(path, ignored), path, ": this is not a regular file");
+  std::ifstream file(path, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  require(file.good() || file.eof(), path, ": the file cannot be read");
+  return text;
+}
+
+}  // namespace lapilli

@@ -1,0 +1,197 @@
+#include "lapilli/scene/tree_reader.hpp"
+
+#include <cmath>
+
+#include "lapilli/core/allowed.hpp"
+
+namespace lapilli {
+namespace {
+
+bool number_of(const Tree& tree, double& number) {
+  if (const auto* integer = std::get_if<Index>(&tree.value)) {
+    number = static_cast<double>(*integer);
+    return true;
+  }
+  const auto* real = std::get_if<double>(&tree.value);
+  number = real ? *real : 0.0;
+  return real != nullptr;
+}
+
+}  // namespace
+
+std::string place_text(const Places* places, std::string path) {
+  if (!places) {
+    return "";
+  }
+  while (true) {
+    const auto found = places->at.find(path);
+    if (found != places->at.end() && found->second.line > 0) {
+      return message(places->source, ":", found->second.line, ":", found->second.column, ": ");
+    }
+    if (path.empty()) {
+      return places->source.empty() ? "" : places->source + ": ";
+    }
+    const std::size_t dot = path.rfind('.');
+    path.resize(dot == std::string::npos ? 0 : dot);
+  }
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& allowed) {
+  // Distances to words of any length would cost their product.
+  const std::string near = word.size() <= 64 ? nearest_name(word, allowed) : std::string();
+  return (near.empty() ? "; allowed: " : "; did you mean '" + near + "'? allowed: ") + joined(allowed);
+}
+
+void TreeReader::fail(Place place, const std::string& path, const std::string& what) const {
+  const std::string where = place.line > 0 ? message(places_.source, ":", place.line, ":", place.column, ": ")
+                            : places_.source.empty() ? std::string()
+                                                     : places_.source + ": ";
+  throw std::invalid_argument(where + path + (path.empty() ? "" : " ") + what);
+}
+
+void TreeReader::check_in_range(const Tree& tree, const Key& key, const std::string& path,
+                                double number) const {
+  const bool inside = std::isfinite(number) && number <= key.most &&
+                      (key.open ? number > key.least : number >= key.least);
+  if (!inside) {
+    const std::string range = allowed_range(key);
+    fail(tree, path, message("must be ", range.empty() ? "a finite number" : range, ", got ", number));
+  }
+}
+
+void TreeReader::read_number(const Tree& tree, const Key& key, const std::string& path,
+                             double& number) const {
+  if (!number_of(tree, number)) {
+    const std::string word =
+        *key.absent_word ? message(" or \"", key.absent_word, "\"") : std::string();
+    fail(tree, path, message("must be a number", *key.of_unit ? " in " : "", key.of_unit, word,
+                             ", got ", in_words(tree)));
+  }
+  check_in_range(tree, key, path, number);
+}
+
+void TreeReader::read_integer(const Tree& tree, const Key& key, const std::string& path,
+                              Index& number) const {
+  const auto* integer = std::get_if<Index>(&tree.value);
+  if (!integer) {
+    fail(tree, path, message("must be a whole number, got ", in_words(tree)));
+  }
+  check_in_range(tree, key, path, static_cast<double>(*integer));
+  number = *integer;
+}
+
+void TreeReader::read_text(const Tree& tree, const Key&, const std::string& path,
+                           std::string& text) const {
+  if (!tree.string()) {
+    fail(tree, path, message("must be a text in quotes, got ", in_words(tree)));
+  }
+  text = *tree.string();
+  if (text.find('\0') != std::string::npos) {
+    fail(tree, path, "must not contain a null character");
+  }
+}
+
+void TreeReader::read_value(const Tree& tree, const Key& key, const std::string& path,
+                            Value& value) const {
+  double number = 0.0;
+  if (number_of(tree, number)) {
+    read_number(tree, key, path, number);
+    value = Value(number);
+    return;
+  }
+  const Tree::Table* table = tree.table();
+  if (!table) {
+    fail(tree, path,
+         message("must be a number", *key.of_unit ? " in " : "", key.of_unit,
+                 " or a table in time {times = [...], values = [...]}, got ", in_words(tree)));
+  }
+  check_known(*table, path, {"times", "values"});
+  Table in_time;
+  for (const auto& [name, numbers, each] :
+       {std::tuple("times", &in_time.times, Key("times").unit("s")),
+        std::tuple("values", &in_time.values, key)}) {
+    const std::string list_path = joined_path(path, name);
+    const Tree::Entry* entry = find(*table, name);
+    if (!entry) {
+      fail(tree, list_path, "is missing");
+    }
+    const Tree::Array* list = entry->value.array();
+    if (!list || list->empty()) {
+      fail(entry->value, list_path,
+           message("must be a list of numbers, got ", in_words(entry->value)));
+    }
+    for (std::size_t k = 0; k < list->size(); ++k) {
+      read_number((*list)[k], each, joined_path(list_path, std::to_string(k)), number);
+      numbers->push_back(number);
+    }
+  }
+  if (in_time.times.size() != in_time.values.size()) {
+    fail(tree, path, message("needs as many values as times, got ", in_time.values.size(), " and ",
+                             in_time.times.size()));
+  }
+  if (std::adjacent_find(in_time.times.begin(), in_time.times.end(), std::greater_equal<>()) !=
+      in_time.times.end()) {
+    fail(tree, joined_path(path, "times"), "must increase");
+  }
+  value = Value(std::move(in_time));
+}
+
+void TreeReader::read_tensor(const Tree& tree, const Key& key, const std::string& path,
+                             SymmetricTensor& tensor) const {
+  double number = 0.0;
+  if (number_of(tree, number)) {
+    read_number(tree, key, path, number);
+    tensor = SymmetricTensor(number);
+    return;
+  }
+  const Tree::Array* list = tree.array();
+  if (!list || list->size() != 6) {
+    fail(tree, path,
+         message("must be a number or the six components xx, yy, zz, xy, yz, xz, got ", in_words(tree)));
+  }
+  for (int k = 0; k < 6; ++k) {
+    read_number((*list)[static_cast<std::size_t>(k)], key, joined_path(path, std::to_string(k)),
+                tensor[k]);
+  }
+}
+
+const Tree::Table& TreeReader::table_of(const Tree& tree, const std::string& path) const {
+  const Tree::Table* table = tree.table();
+  if (!table) {
+    fail(tree, path, message("must be a table, got ", in_words(tree)));
+  }
+  return *table;
+}
+
+void TreeReader::check_length(const Tree& tree, const Key& key, const std::string& path,
+                              std::size_t length) const {
+  const auto count = static_cast<Index>(length);
+  if (count < key.shortest || count > key.longest) {
+    std::string allowed = message(key.shortest);
+    if (key.longest == std::numeric_limits<int>::max()) {
+      allowed = message("at least ", key.shortest);
+    } else if (key.longest != key.shortest) {
+      allowed = message(key.shortest, " to ", key.longest);
+    }
+    fail(tree, path, message("must hold ", allowed, key.longest == 1 ? " entry" : " entries", ", got ", length));
+  }
+}
+
+void TreeReader::check_known(const Tree::Table& table, const std::string& path,
+                             const std::vector<std::string>& allowed) const {
+  for (const Tree::Entry& entry : table) {
+    if (std::find(allowed.begin(), allowed.end(), entry.name) == allowed.end()) {
+      fail(entry.place, joined_path(path, entry.name), "is no known key" + suggestion(entry.name, allowed));
+    }
+  }
+}
+
+}  // namespace lapilli

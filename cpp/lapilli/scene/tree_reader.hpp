@@ -1,0 +1,225 @@
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lapilli/core/describe.hpp"
+#include "lapilli/core/require.hpp"
+#include "lapilli/core/value.hpp"
+#include "lapilli/materials/symmetric_tensor.hpp"
+#include "lapilli/scene/member_types.hpp"
+#include "lapilli/scene/tree.hpp"
+
+namespace lapilli {
+
+/// Where every key of a scene stood in its file, by path ("bodies.0.shape").
+struct Places {
+  std::string source;  // file name
+  std::map<std::string, Place> at;
+};
+
+/// "ring.toml:12:3: " for the key at `path`, or for the nearest table around it; "" when unknown.
+std::string place_text(const Places* places, std::string path);
+
+/// "a, b, c".
+std::string joined(const std::vector<std::string>& words);
+
+/// The end of a message about a word that is not among `allowed`:
+/// "; did you mean 'cell'? allowed: lower, upper, cell".
+std::string suggestion(const std::string& word, const std::vector<std::string>& allowed);
+
+/// The path of a member: "grid" and "cell" give "grid.cell".
+inline std::string joined_path(const std::string& path, const std::string& name) {
+  return path.empty() ? name : path + "." + name;
+}
+
+/// Fills described structs from a tree. Every mistake is a std::invalid_argument that says where it
+/// stands, the path of the key, what was given and what is allowed.
+class TreeReader {
+ public:
+  explicit TreeReader(Places& places) : places_(places) {}
+
+  /// Read a member of any supported type.
+  template <class T>
+  void read(const Tree& tree, const Key& key, const std::string& path, T& member);
+
+  /// Read the members of a struct from a table; `skip` is a key that belongs to somebody else.
+  template <Described T>
+  void read_struct(const Tree& tree, const std::string& path, T& object, const char* skip = "");
+
+ private:
+  [[noreturn]] void fail(const Tree& tree, const std::string& path, const std::string& what) const {
+    fail(tree.place, path, what);
+  }
+  [[noreturn]] void fail(Place place, const std::string& path, const std::string& what) const;
+
+  void check_in_range(const Tree& tree, const Key& key, const std::string& path,
+                      double number) const;
+  void read_number(const Tree& tree, const Key& key, const std::string& path, double& number) const;
+  void read_integer(const Tree& tree, const Key& key, const std::string& path, Index& number) const;
+  void read_text(const Tree& tree, const Key& key, const std::string& path, std::string& text) const;
+  void read_value(const Tree& tree, const Key& key, const std::string& path, Value& value) const;
+  void read_tensor(const Tree& tree, const Key& key, const std::string& path,
+                   SymmetricTensor& tensor) const;
+  const Tree::Table& table_of(const Tree& tree, const std::string& path) const;
+  void check_length(const Tree& tree, const Key& key, const std::string& path,
+                    std::size_t length) const;
+  void check_known(const Tree::Table& table, const std::string& path,
+                   const std::vector<std::string>& allowed) const;
+
+  template <Named T>
+  void read_name(const Tree& tree, const std::string& path, T& member) const;
+  template <class T>
+  void read_list(const Tree& tree, const Key& key, const std::string& path, std::vector<T>& list);
+  template <Kinded T>
+  void read_kind(const Tree& tree, const std::string& path, T& member);
+
+  Places& places_;
+};
+
+template <class T>
+void TreeReader::read(const Tree& tree, const Key& key, const std::string& path, T& member) {
+  if constexpr (std::is_same_v<T, bool>) {
+    const bool* value = std::get_if<bool>(&tree.value);
+    if (!value) {
+      fail(tree, path, message("must be true or false, got ", in_words(tree)));
+    }
+    member = *value;
+  } else if constexpr (std::is_same_v<T, double>) {
+    read_number(tree, key, path, member);
+  } else if constexpr (std::is_integral_v<T>) {
+    Index number = 0;
+    Key bounded = key;
+    bounded.least = std::max(key.least, static_cast<double>(std::numeric_limits<T>::min()));
+    bounded.most = std::min(key.most, static_cast<double>(std::numeric_limits<T>::max()));
+    read_integer(tree, bounded, path, number);
+    member = static_cast<T>(number);
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    read_text(tree, key, path, member);
+  } else if constexpr (std::is_same_v<T, Value>) {
+    read_value(tree, key, path, member);
+  } else if constexpr (std::is_same_v<T, SymmetricTensor>) {
+    read_tensor(tree, key, path, member);
+  } else if constexpr (Named<T>) {
+    read_name(tree, path, member);
+  } else if constexpr (is_optional<T>) {
+    const std::string* word = tree.string();
+    if (word && *key.absent_word != 0 && *word == key.absent_word) {
+      member.reset();
+    } else {
+      typename T::value_type value{};
+      read(tree, key, path, value);
+      member = std::move(value);
+    }
+  } else if constexpr (is_vector<T>) {
+    read_list(tree, key, path, member);
+  } else if constexpr (Indirect<T>) {
+    Held<T> held;
+    read(tree, key, path, held);
+    member = T(std::move(held));
+  } else if constexpr (Kinded<T>) {
+    read_kind(tree, path, member);
+  } else if constexpr (Described<T>) {
+    read_struct(tree, path, member);
+  } else {
+    fail(tree, path, "can be given from a program only, not in a file");
+  }
+}
+
+template <Described T>
+void TreeReader::read_struct(const Tree& tree, const std::string& path, T& object,
+                             const char* skip) {
+  const Tree::Table& table = table_of(tree, path);
+  std::vector<std::string> allowed;
+  if (*skip != 0) {
+    allowed.push_back(skip);
+  }
+  auto collect = [&](const Key& key, auto&) { allowed.push_back(key.name); };
+  T::describe(object, collect);
+  check_known(table, path, allowed);
+  auto fill = [&](const Key& key, auto& member) {
+    const std::string member_path = joined_path(path, key.name);
+    if (const Tree::Entry* entry = find(table, key.name)) {
+      places_.at[member_path] = entry->place;
+      read(entry->value, key, member_path, member);
+    } else if (key.is_required) {
+      fail(tree, member_path, message("is missing", *key.meaning ? ": " : "", key.meaning,
+                                      *key.of_unit ? " in " : "", key.of_unit));
+    }
+  };
+  T::describe(object, fill);
+}
+
+template <Named T>
+void TreeReader::read_name(const Tree& tree, const std::string& path, T& member) const {
+  std::vector<std::string> allowed;
+  const std::string* word = tree.string();
+  for (const auto& [value, name] : Names<T>::values) {
+    if (word && *word == name) {
+      member = value;
+      return;
+    }
+    allowed.push_back(name);
+  }
+  if (!word) {
+    fail(tree, path, message("must be one of ", joined(allowed), ", got ", in_words(tree)));
+  }
+  fail(tree, path, message("knows no '", *word, "'", suggestion(*word, allowed)));
+}
+
+template <class T>
+void TreeReader::read_list(const Tree& tree, const Key& key, const std::string& path,
+                           std::vector<T>& list) {
+  list.clear();
+  const Tree::Array* array = tree.array();
+  if (!array && !key.single_allowed) {
+    fail(tree, path, message("must be a list, got ", in_words(tree)));
+  }
+  check_length(tree, key, path, array ? array->size() : 1);
+  for (std::size_t k = 0; k < (array ? array->size() : 1); ++k) {
+    const Tree& element = array ? (*array)[k] : tree;
+    const std::string element_path = array ? joined_path(path, std::to_string(k)) : path;
+    places_.at[element_path] = element.place;
+    T value{};
+    if constexpr (is_vector<T>) {
+      Key row = key;
+      row.shortest = 0;
+      row.longest = std::numeric_limits<int>::max();
+      read(element, row, element_path, value);
+    } else {
+      read(element, key, element_path, value);
+    }
+    list.push_back(std::move(value));
+  }
+}
+
+template <Kinded T>
+void TreeReader::read_kind(const Tree& tree, const std::string& path, T& member) {
+  const Tree::Table& table = table_of(tree, path);
+  std::vector<std::string> allowed;
+  for_each_kind<T>([&](auto type) { allowed.push_back(decltype(type)::type::kind); });
+  const Tree::Entry* kind = find(table, "kind");
+  const std::string kind_path = joined_path(path, "kind");
+  if (!kind) {
+    fail(tree, kind_path, message("is missing: which of ", joined(allowed), " it is"));
+  }
+  std::string word;
+  read_text(kind->value, Key("kind"), kind_path, word);
+  bool found = false;
+  for_each_kind<T>([&](auto type) {
+    using Alternative = typename decltype(type)::type;
+    if (!found && word == Alternative::kind) {
+      found = true;
+      Alternative value{};
+      read_struct(tree, path, value, "kind");
+      variant_of(member) = std::move(value);
+    }
+  });
+  if (!found) {
+    fail(kind->value, kind_path, message("knows no '", word, "'", suggestion(word, allowed)));
+  }
+}
+
+}  // namespace lapilli

@@ -1,0 +1,43 @@
+#include "lapilli/scene/tree_writer.hpp"
+
+namespace lapilli {
+
+Tree TreeWriter::write_number(double number, const std::string& path) const {
+  if (!std::isfinite(number)) {
+    require(in_memory_ == InMemory::named, path, " is ", number, ", which no scene file may hold");
+    return {message(number), {}};
+  }
+  return {number, {}};
+}
+
+Tree TreeWriter::write_value(const Value& value, const std::string& path) const {
+  if (value.is_function()) {
+    return no_file_form(path, "function");
+  }
+  if (value.is_constant()) {
+    return write_number(value.at(0.0), path);
+  }
+  const auto& in_time = std::get<Table>(value.form());
+  return {Tree::Table{{"times", {}, write(in_time.times, Key("times"), joined_path(path, "times"))},
+                      {"values", {}, write(in_time.values, Key("values"), joined_path(path, "values"))}},
+          {}};
+}
+
+Tree TreeWriter::write_tensor(const SymmetricTensor& tensor, const std::string& path) const {
+  if (tensor.is_scalar()) {
+    return write_number(tensor[0], path);
+  }
+  Tree::Array components;
+  for (int k = 0; k < 6; ++k) {
+    components.push_back(write_number(tensor[k], path));
+  }
+  return {std::move(components), {}};
+}
+
+Tree TreeWriter::no_file_form(const std::string& path, const char* what) const {
+  require(in_memory_ == InMemory::named, path, " is given as ", what,
+          ", which a scene file cannot hold");
+  return {std::string(what), {}};
+}
+
+}  // namespace lapilli
