@@ -1,0 +1,218 @@
+#include "lapilli/output/frame_index.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <sstream>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/output/file.hpp"
+#include "lapilli/output/hdf5_file.hpp"
+
+namespace lapilli {
+namespace {
+
+constexpr const char* cell_kinds[] = {"Vertices", "Lines", "Polygons", "Strips"};
+constexpr const char* point_data = "PointData/";
+
+/// "PointData/temperature" -> "Steps/PointDataOffsets/temperature", "Points" ->
+/// "Steps/PointOffsets"
+std::string offsets_name(const Column& column) {
+  return column.name == "Points"
+             ? "Steps/PointOffsets"
+             : "Steps/PointDataOffsets/" + column.name.substr(std::string(point_data).size());
+}
+
+std::string layout_text(const std::vector<Column>& columns) {
+  std::ostringstream text;
+  for (const Column& column : columns) {
+    text << column.name << '\t' << column.unit << '\t' << column.components << '\t'
+         << column.is_index << '\t' << column.may_rest << '\n';
+  }
+  return text.str();
+}
+
+std::vector<Column> parse_layout(const std::string& layout) {
+  std::vector<Column> columns;
+  std::istringstream lines(layout);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream parts(line);
+    Column column;
+    std::getline(parts, column.name, '\t');
+    std::getline(parts, column.unit, '\t');
+    parts >> column.components >> column.is_index >> column.may_rest;
+    require(!parts.fail() && (column.name == "Points" || column.name.starts_with(point_data)),
+            "its list of columns is damaged");
+    columns.push_back(column);
+  }
+  return columns;
+}
+
+void write_cells(hid_t group, Index points) {
+  for (const std::string name : cell_kinds) {
+    const Hdf5Id cells = hdf5_group(group, name);
+    const bool vertices = name == "Vertices";
+    const std::array<Index, 1> count = {vertices ? points : 0};
+    hdf5_write<Index>(cells, "NumberOfCells", count);
+    hdf5_write<Index>(cells, "NumberOfConnectivityIds", count);
+    if (!vertices) {
+      const std::array<Index, 1> zero = {0};
+      hdf5_write<Index>(cells, "Connectivity", {});
+      hdf5_write<Index>(cells, "Offsets", zero);
+    }
+  }
+}
+
+/// Topology never changes, so every step refers to the one part at offset zero.
+void write_steps(hid_t group, const FrameIndex& index) {
+  const Hdf5Id steps = hdf5_group(group, "Steps");
+  const std::array<Index, 1> count = {index.frames()};
+  const std::size_t frames = index.times.size();
+  const std::vector<Index> zeros(4 * frames, 0), ones(frames, 1);
+  hdf5_attribute<Index>(steps, "NSteps", count, true);
+  hdf5_write<double>(steps, "Values", index.times);
+  hdf5_write<Index>(steps, "PartOffsets", std::span(zeros).first(frames));
+  hdf5_write<Index>(steps, "NumberOfParts", ones);
+  hdf5_write<Index>(steps, "CellOffsets", zeros, 4);
+  hdf5_write<Index>(steps, "ConnectivityIdOffsets", zeros, 4);
+  const Hdf5Id point_data_offsets = hdf5_group(steps, "PointDataOffsets");
+  for (std::size_t k = 0; k < index.columns.size(); ++k) {
+    std::vector<Index> offsets = index.slots[k];
+    for (Index& offset : offsets) {
+      offset *= index.points;
+    }
+    hdf5_write<Index>(group, offsets_name(index.columns[k]), offsets);
+  }
+}
+
+void link(hid_t group, const std::string& name, const std::string& file) {
+  hdf5_check(H5Lcreate_external(file.c_str(), ("/" + name).c_str(), group, name.c_str(),
+                                H5P_DEFAULT, H5P_DEFAULT),
+             "link " + name);
+}
+
+Hdf5Id rows_of(const Column& column, Index rows) {
+  const hsize_t sizes[2] = {static_cast<hsize_t>(rows), static_cast<hsize_t>(column.components)};
+  return Hdf5Id(H5Screate_simple(column.components == 1 ? 1 : 2, sizes, nullptr), H5Sclose,
+                "make an HDF5 dataspace");
+}
+
+/// One dataset made of the same dataset in every data file, one after the other.
+void join(hid_t group, const Column& column, const std::filesystem::path& path,
+          const FrameIndex& index) {
+  const std::string action = "join " + column.name;
+  const Hdf5Id creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, action);
+  const Hdf5Id all = rows_of(column, index.capacity() * index.points);
+  const double missing = std::numeric_limits<double>::quiet_NaN();
+  const Index no_index = -1;
+  const hid_t type = column.is_index ? hdf5_type<Index>() : hdf5_type<double>();
+  const void* fill = column.is_index ? static_cast<const void*>(&no_index) : &missing;
+  hdf5_check(H5Pset_fill_value(creation, type, fill), action);
+  hdf5_check(H5Pset_obj_track_times(creation, false), action);
+  Index begin = 0;
+  for (std::size_t file = 0; file < index.capacities.size(); ++file) {
+    const Index rows = index.capacities[file] * index.points;
+    const hsize_t start[2] = {static_cast<hsize_t>(begin), 0};
+    const hsize_t size[2] = {static_cast<hsize_t>(rows), static_cast<hsize_t>(column.components)};
+    const Hdf5Id part = rows_of(column, rows);
+    hdf5_check(H5Sselect_hyperslab(all, H5S_SELECT_SET, start, nullptr, size, nullptr), action);
+    const std::string name = data_path(path, file).filename().string();
+    hdf5_check(H5Pset_virtual(creation, all, name.c_str(), ("/" + column.name).c_str(), part),
+               action);
+    begin += rows;
+  }
+  hdf5_check(H5Sselect_all(all), action);
+  const Hdf5Id dataset(
+      H5Dcreate2(group, column.name.c_str(), type, all, H5P_DEFAULT, creation, H5P_DEFAULT),
+      H5Dclose, action);
+  hdf5_attribute(dataset, "unit", column.unit);
+}
+
+}  // namespace
+
+Index FrameIndex::capacity() const {
+  return std::accumulate(capacities.begin(), capacities.end(), Index{0});
+}
+
+void FrameIndex::cut(Index frames) {
+  times.resize(static_cast<std::size_t>(frames));
+  for (std::vector<Index>& of_column : slots) {
+    of_column.resize(static_cast<std::size_t>(frames));
+  }
+}
+
+Index FrameIndex::next_slot(std::size_t column) const {
+  const std::vector<Index>& used = slots[column];
+  return used.empty() ? 0 : *std::max_element(used.begin(), used.end()) + 1;
+}
+
+std::filesystem::path data_path(const std::filesystem::path& index_path, std::size_t file) {
+  return with_ending(index_path, ".data" + (file == 0 ? std::string() : std::to_string(file)));
+}
+
+void write_index_group(std::int64_t file, const FrameIndex& index) {
+  const Hdf5Id group = hdf5_group(file, "VTKHDF");
+  const std::array<Index, 2> version = {2, 0};
+  const std::array<Index, 1> points = {index.points};
+  hdf5_attribute<Index>(group, "Version", version);
+  hdf5_attribute(group, "Type", "PolyData");
+  hdf5_write<Index>(group, "NumberOfPoints", points);
+  write_cells(group, index.points);
+  write_steps(group, index);
+  const Hdf5Id of_points = hdf5_group(group, "PointData");
+  const Hdf5Id own = hdf5_group(file, "lapilli");
+  hdf5_attribute(own, "columns", layout_text(index.columns));
+  hdf5_attribute<Index>(own, "capacities", index.capacities);
+}
+
+void write_index(const std::filesystem::path& path, const FrameIndex& index) {
+  const Hdf5Quiet quiet;
+  const Hdf5Id file = hdf5_create_in_memory();
+  write_index_group(file, index);
+  {
+    const Hdf5Id group(H5Gopen2(file, "VTKHDF", H5P_DEFAULT), H5Gclose, "write the index");
+    const std::string first = data_path(path, 0).filename().string();
+    link(group, "Vertices/Connectivity", first);
+    link(group, "Vertices/Offsets", first);
+    for (const Column& column : index.columns) {
+      if (index.capacities.size() == 1) {
+        link(group, column.name, first);
+      } else {
+        join(group, column, path, index);
+      }
+    }
+  }
+  AtomicFile on_disk(path);
+  on_disk.append(hdf5_image(file));
+  on_disk.commit();
+}
+
+FrameIndex read_index(const std::filesystem::path& path) {
+  const Hdf5Quiet quiet;
+  const Hdf5Id file = hdf5_open(path);
+  require(hdf5_exists(file, "lapilli") && hdf5_exists(file, "VTKHDF"), "'", path.string(),
+          "' holds no frames of lapilli");
+  FrameIndex index;
+  const Hdf5Id own(H5Gopen2(file, "lapilli", H5P_DEFAULT), H5Gclose, "read the index");
+  const Hdf5Id group(H5Gopen2(file, "VTKHDF", H5P_DEFAULT), H5Gclose, "read the index");
+  const std::vector<Index> points = hdf5_read<Index>(group, "NumberOfPoints");
+  index.columns = parse_layout(hdf5_read_text_attribute(own, "columns"));
+  index.capacities = hdf5_read_attribute<Index>(own, "capacities");
+  index.times = hdf5_read<double>(group, "Steps/Values");
+  require(points.size() == 1 && points[0] > 0, "'", path.string(), "' is damaged: no points");
+  index.points = points[0];
+  for (const Column& column : index.columns) {
+    std::vector<Index> slots = hdf5_read<Index>(group, offsets_name(column));
+    require(slots.size() == index.times.size(), "'", path.string(), "' is damaged: ", column.name,
+            " has ", slots.size(), " of ", index.times.size(), " frames");
+    for (Index& slot : slots) {
+      slot /= index.points;
+    }
+    index.slots.push_back(std::move(slots));
+  }
+  return index;
+}
+
+}  // namespace lapilli

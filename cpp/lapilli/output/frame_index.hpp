@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lapilli/output/frame_column.hpp"
+
+namespace lapilli {
+
+/// Which frames exist and where their numbers are: all that a reader of the frames goes by.
+/// Numbers live in data files beside the index; a slot is the room of one column in one frame, and
+/// slots count on through the data files.
+struct FrameIndex {
+  Index points = 0;
+  std::vector<Column> columns;
+  std::vector<double> times;              // s, one a frame
+  std::vector<std::vector<Index>> slots;  // of each column, one a frame
+  std::vector<Index> capacities;          // slots of each data file
+
+  Index frames() const { return static_cast<Index>(times.size()); }
+  Index capacity() const;
+  /// Forget the frames after the first `frames`.
+  void cut(Index frames);
+  /// First slot of a column that no frame uses.
+  Index next_slot(std::size_t column) const;
+};
+
+/// The data files of an index: run.vtkhdf.data, then run.vtkhdf.data1, ...
+std::filesystem::path data_path(const std::filesystem::path& index_path, std::size_t file);
+
+/// Write the index as VTKHDF (temporal PolyData, version 2.0), all at once: a former index stays
+/// valid until the new one is on the disk. One data file is linked to; several are joined by
+/// virtual datasets, whose missing parts read as NaN.
+void write_index(const std::filesystem::path& path, const FrameIndex& index);
+
+/// Read what `write_index` wrote. Throws OutputError when it cannot be read, and
+/// std::invalid_argument when lapilli did not write it.
+FrameIndex read_index(const std::filesystem::path& path);
+
+/// Write the group VTKHDF except for the numbers of the points (shared with `merge`).
+void write_index_group(std::int64_t file, const FrameIndex& index);
+
+}  // namespace lapilli

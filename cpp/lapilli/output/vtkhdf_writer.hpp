@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "lapilli/output/frame_data.hpp"
+#include "lapilli/output/frame_index.hpp"
+
+namespace lapilli {
+
+/// Frames for ParaView: a temporal VTKHDF PolyData in two files that belong together, a small index
+/// `run.vtkhdf` and the numbers `run.vtkhdf.data` (links between them are relative). A frame is
+/// acknowledged when write() returns: it is on the disk, and neither a killed process nor a failing
+/// later write takes it away. Rows are points in order of id. Positions, ids, bodies and volumes
+/// are stored again only when they changed. `merge` makes one self-contained file. Not handled: a
+/// number of points or a list of fields that changes between frames; compression.
+class VtkhdfWriter {
+ public:
+  /// Start a new series, removing a former one of that name. `planned_frames` is a hint for the
+  /// size of the first data file (0: not known); more frames go on in further data files.
+  explicit VtkhdfWriter(std::filesystem::path path, Index planned_frames = 0);
+  /// Go on with a series after its first `frames` frames; later ones are cut off. Throws
+  /// std::invalid_argument when it holds fewer.
+  static VtkhdfWriter resume(const std::filesystem::path& path, Index frames,
+                             Index planned_frames = 0);
+
+  /// Add one frame. Throws std::invalid_argument when a field does not fit the points or the former
+  /// frames, OutputError when the disk fails; the frames before stay readable.
+  void write(double time, const Points& points, std::span<const Field> fields);
+
+  const std::filesystem::path& path() const { return path_; }
+  Index frames() const { return index_.frames(); }
+  std::span<const double> times() const { return index_.times; }
+
+ private:
+  VtkhdfWriter() = default;
+  void begin(const std::vector<FrameColumn>& frame, Index points);
+  void check_same(const std::vector<FrameColumn>& frame, Index points) const;
+  void make_room(Index slot);
+  Index store(std::size_t column, const Words& words);
+  std::pair<std::size_t, Index> place(Index slot) const;
+
+  std::filesystem::path path_;
+  Index planned_frames_ = 0;
+  FrameIndex index_;
+  std::vector<FrameData> data_;
+  std::vector<Words> last_;  // of columns that may rest
+};
+
+/// Remove a series of frames, index first; nothing happens where there is none.
+void remove_frames(const std::filesystem::path& path);
+
+}  // namespace lapilli
