@@ -1,0 +1,12 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace lapilli::python {
+
+// One function per library folder, in the order in which the module calls them: a class is bound
+// before those that hold it.
+void bind_core(pybind11::module_& module);
+void bind_materials(pybind11::module_& module);
+
+}  // namespace lapilli::python

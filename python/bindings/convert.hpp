@@ -1,0 +1,273 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lapilli/core/allowed.hpp"
+#include "lapilli/core/describe.hpp"
+#include "lapilli/core/vector.hpp"
+
+namespace lapilli::python {
+
+namespace py = pybind11;
+
+/// Where a value is being read, for messages: the key and the object that holds it.
+struct Where {
+  Key key;
+  std::string owner;  // "Grid", or "bodies[0]"
+
+  std::string path() const { return owner.empty() ? key.name : owner + "." + key.name; }
+  [[noreturn]] void refuse(const std::string& expected, py::handle given) const {
+    throw py::type_error(message(owner, owner.empty() ? "" : ": ", key.name, " must be ", expected,
+                                 ", got ", std::string(py::repr(given)).substr(0, 80)));
+  }
+};
+
+/// How a member of a described struct is read from Python, shown to Python and named in signatures.
+/// `keeps_object`: an attribute holds the object the user gave, so that it stays shared.
+template <class Member>
+struct Convert;
+
+struct AnyVisitor {
+  template <class Member>
+  void operator()(const Key&, Member&) const {}
+};
+template <class T>
+concept Described = requires(T& object, AnyVisitor& visit) {
+  T::describe(object, visit);
+};
+
+template <>
+struct Convert<double> {
+  static constexpr bool keeps_object = false;
+  static std::string type_name() { return "float"; }
+  static void load(const Where& where, py::handle given, double& member) {
+    if (PyBool_Check(given.ptr()) || PyUnicode_Check(given.ptr()) || !PyNumber_Check(given.ptr())) {
+      where.refuse("a number", given);
+    }
+    member = PyFloat_AsDouble(given.ptr());
+    if (PyErr_Occurred() != nullptr) {
+      PyErr_Clear();
+      where.refuse("a number", given);
+    }
+    check_range(where.key, member, where.owner);
+  }
+  static py::object show(double member) { return py::float_(member); }
+};
+
+template <class Integer>
+requires(std::is_integral_v<Integer> && !std::is_same_v<Integer, bool>) struct Convert<Integer> {
+  static constexpr bool keeps_object = false;
+  static std::string type_name() { return "int"; }
+  static void load(const Where& where, py::handle given, Integer& member) {
+    const auto number = PyBool_Check(given.ptr())
+                            ? py::object()
+                            : py::reinterpret_steal<py::object>(PyNumber_Index(given.ptr()));
+    PyErr_Clear();
+    if (!number) {
+      where.refuse("a whole number", given);
+    }
+    int overflow = 0;
+    const long long value = PyLong_AsLongLongAndOverflow(number.ptr(), &overflow);
+    member = static_cast<Integer>(value);
+    if (overflow != 0 || member != value) {
+      where.refuse("a whole number of ordinary size", given);
+    }
+    check_range(where.key, static_cast<double>(value), where.owner);
+  }
+  static py::object show(Integer member) { return py::int_(member); }
+};
+
+template <>
+struct Convert<bool> {
+  static constexpr bool keeps_object = false;
+  static std::string type_name() { return "bool"; }
+  static void load(const Where& where, py::handle given, bool& member) {
+    if (!PyBool_Check(given.ptr())) {
+      where.refuse("True or False", given);
+    }
+    member = given.ptr() == Py_True;
+  }
+  static py::object show(bool member) { return py::bool_(member); }
+};
+
+template <>
+struct Convert<std::string> {
+  static constexpr bool keeps_object = false;
+  static std::string type_name() { return "str"; }
+  static void load(const Where& where, py::handle given, std::string& member) {
+    const auto path = py::module_::import("os").attr("PathLike");
+    if (PyUnicode_Check(given.ptr()) || py::isinstance(given, path)) {
+      member = std::string(py::str(given));
+    } else {
+      where.refuse("a string", given);
+    }
+  }
+  static py::object show(const std::string& member) { return py::str(member); }
+};
+
+/// Enumerations are strings in Python, spelled as in a scene file.
+template <class Enum>
+requires std::is_enum_v<Enum>
+struct Convert<Enum> {
+  static constexpr bool keeps_object = false;
+  static std::string type_name() {
+    std::string names;
+    for (const auto& [value, name] : Names<Enum>::values) {
+      names += message(names.empty() ? "" : ", ", "'", name, "'");
+    }
+    return "typing.Literal[" + names + "]";
+  }
+  static void load(const Where& where, py::handle given, Enum& member) {
+    if (!PyUnicode_Check(given.ptr())) {
+      where.refuse("a string", given);
+    }
+    const std::string text = py::str(given);
+    std::vector<std::string> names;
+    for (const auto& [value, name] : Names<Enum>::values) {
+      if (text == name) {
+        member = value;
+        return;
+      }
+      names.emplace_back(name);
+    }
+    throw py::value_error(unknown_name(where.path(), text, names));
+  }
+  static py::object show(Enum member) { return py::str(name_of(member)); }
+};
+
+template <class Member>
+struct Convert<std::optional<Member>> {
+  static constexpr bool keeps_object = Convert<Member>::keeps_object;
+  static std::string type_name() { return Convert<Member>::type_name() + " | None"; }
+  static void load(const Where& where, py::handle given, std::optional<Member>& member) {
+    member.reset();
+    if (!given.is_none()) {
+      Convert<Member>::load(where, given, member.emplace());
+    }
+  }
+  static py::object show(const std::optional<Member>& member) {
+    return member ? Convert<Member>::show(*member) : py::none();
+  }
+};
+
+/// The elements of any sequence or array that is not text.
+inline std::vector<py::object> elements(const Where& where, py::handle given,
+                                        const std::string& expected) {
+  if (PyUnicode_Check(given.ptr()) || PyDict_Check(given.ptr()) ||
+      !py::isinstance<py::iterable>(given)) {
+    where.refuse(expected, given);
+  }
+  std::vector<py::object> all;
+  for (py::handle element : given) {
+    all.push_back(py::reinterpret_borrow<py::object>(element));
+  }
+  return all;
+}
+
+template <class Member>
+struct Convert<std::vector<Member>> {
+  static constexpr bool keeps_object = Convert<Member>::keeps_object;
+  static std::string type_name() {
+    return (keeps_object ? "list[" : "collections.abc.Sequence[") + Convert<Member>::type_name() +
+           "]";
+  }
+  static void load(const Where& where, py::handle given, std::vector<Member>& member) {
+    member.clear();
+    for (const py::object& element : elements(where, given, "a list")) {
+      Where inside = where;
+      if constexpr (keeps_object) {
+        inside.owner = message(where.path(), "[", member.size(), "]");
+      }
+      Convert<Member>::load(inside, element, member.emplace_back());
+    }
+  }
+  static py::object show(const std::vector<Member>& member) {
+    py::list all;
+    for (const Member& element : member) {
+      all.append(Convert<Member>::show(element));
+    }
+    return keeps_object ? py::object(all) : py::object(py::tuple(all));
+  }
+};
+
+template <std::size_t Size>
+struct Convert<std::array<double, Size>> {
+  static constexpr bool keeps_object = false;
+  static std::string type_name() { return "collections.abc.Sequence[float]"; }
+  static void load(const Where& where, py::handle given, std::array<double, Size>& member) {
+    const std::string expected = message("a list of ", Size, " numbers");
+    const auto all = elements(where, given, expected);
+    if (all.size() != Size) {
+      where.refuse(expected, given);
+    }
+    for (std::size_t k = 0; k < Size; ++k) {
+      Convert<double>::load(where, all[k], member[k]);
+    }
+  }
+  static py::object show(const std::array<double, Size>& member) {
+    py::tuple all(Size);
+    for (std::size_t k = 0; k < Size; ++k) {
+      all[k] = member[k];
+    }
+    return all;
+  }
+};
+
+/// One, two or three coordinates; those left out are zero.
+template <>
+struct Convert<Vec3> {
+  static constexpr bool keeps_object = false;
+  static std::string type_name() { return "collections.abc.Sequence[float]"; }
+  static void load(const Where& where, py::handle given, Vec3& member) {
+    const auto all = elements(where, given, "one to three coordinates");
+    if (all.empty() || all.size() > 3) {
+      where.refuse("one to three coordinates", given);
+    }
+    member.setZero();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      Convert<double>::load(where, all[k], member[static_cast<Eigen::Index>(k)]);
+    }
+  }
+  static py::object show(const Vec3& member) {
+    return py::make_tuple(member[0], member[1], member[2]);
+  }
+};
+
+template <class... Members>
+struct Convert<std::variant<Members...>> {
+  static constexpr bool keeps_object = true;
+  static std::string type_name() {
+    std::string names;
+    ((names += (names.empty() ? "" : " | ") + Convert<Members>::type_name()), ...);
+    return names;
+  }
+  static void load(const Where& where, py::handle given, std::variant<Members...>& member) {
+    if (!(load_one<Members>(where, given, member) || ...)) {
+      where.refuse("one of " + type_name(), given);
+    }
+  }
+  static py::object show(const std::variant<Members...>& member) {
+    return std::visit(
+        [](const auto& held) { return Convert<std::decay_t<decltype(held)>>::show(held); }, member);
+  }
+
+ private:
+  template <class Member>
+  static bool load_one(const Where& where, py::handle given, std::variant<Members...>& member) {
+    if (!Convert<Member>::accepts(given)) {
+      return false;
+    }
+    Convert<Member>::load(where, given, member.template emplace<Member>());
+    return true;
+  }
+};
+
+}  // namespace lapilli::python

@@ -1,0 +1,124 @@
+#include "convert_core.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace lapilli::python {
+namespace {
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// The callable and its last release happen with the GIL held, whichever thread lets go of it.
+std::shared_ptr<py::object> shared_callable(const py::object& callable) {
+  return {new py::object(callable), [](py::object* held) {
+            const py::gil_scoped_acquire gil;
+            delete held;
+          }};
+}
+
+void call(const py::object& callable, std::span<const Vec3> position, std::span<const double> state,
+          double time, std::span<double> values) {
+  const auto rows = static_cast<py::ssize_t>(position.size());
+  Numbers places({rows, py::ssize_t{3}});
+  for (py::ssize_t row = 0; row < rows; ++row) {
+    std::copy_n(position[static_cast<std::size_t>(row)].data(), 3, places.mutable_data(row, 0));
+  }
+  const Numbers states(static_cast<py::ssize_t>(state.size()), state.data());
+  const auto answer = Numbers::ensure(callable(places, states, time));
+  if (!answer) {
+    throw py::error_already_set();
+  }
+  if (answer.ndim() == 0) {
+    std::fill(values.begin(), values.end(), *answer.data());
+  } else if (answer.ndim() == 1 && answer.shape(0) == rows) {
+    std::copy_n(answer.data(), rows, values.data());
+  } else {
+    throw RunError(message("the function ", std::string(py::repr(callable)), " was called for ",
+                           rows, " places and answered an array of shape ",
+                           std::string(py::str(answer.attr("shape"))),
+                           "; one number, or one a place, is allowed"));
+  }
+}
+
+}  // namespace
+
+ArrayFunction array_function(const py::object& callable) {
+  return [held = shared_callable(callable)](std::span<const Vec3> position,
+                                            std::span<const double> state, double time,
+                                            std::span<double> values) {
+    const py::gil_scoped_acquire gil;
+    call(*held, position, state, time, values);
+  };
+}
+
+void check_table(const Where& where, const Table& table) {
+  const auto say = [&](const auto&... parts) {
+    return message(where.owner, where.owner.empty() ? "" : ": ", where.key.name, " ", parts...);
+  };
+  require(!table.times.empty(), say("is a table without times"));
+  require(table.times.size() == table.values.size(), say("needs as many values as times, got "),
+          table.values.size(), " and ", table.times.size());
+  for (const double time : table.times) {
+    check_range(Key("times").unit("s"), time, where.path());
+  }
+  require(std::adjacent_find(table.times.begin(), table.times.end(), std::greater_equal<>()) ==
+              table.times.end(),
+          say("needs times that increase"));
+  for (const double value : table.values) {
+    check_range(where.key, value, where.owner);
+  }
+}
+
+void Convert<Value>::load(const Where& where, py::handle given, Value& member) {
+  if (py::isinstance<Table>(given)) {
+    member = given.cast<Table>();
+  } else if (PyCallable_Check(given.ptr()) != 0) {
+    member = array_function(py::reinterpret_borrow<py::object>(given));
+    return;
+  } else if ((PyTuple_Check(given.ptr()) || PyList_Check(given.ptr())) && py::len(given) == 2) {
+    Table table;
+    const auto numbers = Where{Key(where.key.name), where.owner};
+    Convert<std::vector<double>>::load(numbers, given[py::int_(0)], table.times);
+    Convert<std::vector<double>>::load(numbers, given[py::int_(1)], table.values);
+    member = std::move(table);
+  } else {
+    double number = 0.0;
+    if (PyUnicode_Check(given.ptr()) || !PyNumber_Check(given.ptr()) ||
+        py::hasattr(given, "__len__")) {
+      where.refuse("a number, a Table, a pair (times, values) or a function", given);
+    }
+    Convert<double>::load(where, given, number);
+    member = number;
+  }
+  if (const auto* table = std::get_if<Table>(&member.form())) {
+    check_table(where, *table);
+  }
+}
+
+py::object Convert<Value>::show(const Value& member) {
+  if (const auto* number = std::get_if<double>(&member.form())) {
+    return py::float_(*number);
+  }
+  if (const auto* table = std::get_if<Table>(&member.form())) {
+    return py::cast(*table);
+  }
+  return py::none();
+}
+
+void Convert<SymmetricTensor>::load(const Where& where, py::handle given, SymmetricTensor& member) {
+  if (PySequence_Check(given.ptr()) != 0 && !PyUnicode_Check(given.ptr()) &&
+      !(py::isinstance<py::array>(given) && given.cast<py::array>().ndim() == 0)) {
+    Convert<std::array<double, 6>>::load(where, given, member.components);
+  } else {
+    double number = 0.0;
+    Convert<double>::load(where, given, number);
+    member = number;
+  }
+}
+
+py::object Convert<SymmetricTensor>::show(const SymmetricTensor& member) {
+  return member.is_scalar() ? py::float_(member[0])
+                            : Convert<std::array<double, 6>>::show(member.components);
+}
+
+}  // namespace lapilli::python

@@ -1,0 +1,14 @@
+#include "bind_struct.hpp"
+#include "bindings.hpp"
+#include "convert_core.hpp"
+#include "lapilli/materials/thermal.hpp"
+
+namespace lapilli::python {
+
+void bind_materials(py::module_& module) {
+  bind_struct<Thermal>(
+      module, "Thermal",
+      "A solid that stores and conducts heat (Fourier), with constant coefficients.");
+}
+
+}  // namespace lapilli::python

@@ -1,0 +1,13 @@
+#include "bindings.hpp"
+
+PYBIND11_MODULE(_core, module) {
+  // Signatures are written out where they are bound, in Python's own type names.
+  pybind11::options options;
+  options.disable_function_signatures();
+  module.doc() = "The compiled part of lapilli.";
+  module.attr("__version__") = LAPILLI_VERSION;
+
+  using namespace lapilli::python;
+  bind_core(module);
+  bind_materials(module);
+}
