@@ -13,5 +13,6 @@ A reference that shares code with the solver proves nothing; importing it must n
 | bar_wave | waves in an elastic bar with fixed or free ends | d'Alembert |
 | plane_strain | rectangle under a body force: deep beam, cantilever | bilinear finite elements |
 | granular | run-out of a collapsing column | published fits to experiments |
+| cavity | steady Boussinesq flow, heated side wall or floor | differences, Newton |
 | swirl | heated disc whose circles turn at their own speeds | exact motion, radial conduction |
 """

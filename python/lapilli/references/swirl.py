@@ -11,6 +11,7 @@ tests: transfer of heat between moving points and a fixed grid (see the notes on
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -74,10 +75,11 @@ class Swirl:
     def temperature(self, points: npt.ArrayLike, t: Times) -> Array:
         """Temperature at present positions (n, 2): (n,) or (m, n), K."""
         arm = as_array(points) - self.centre
-        return self.radial().temperature(np.hypot(arm[:, 0], arm[:, 1]), t)
+        return self.radial.temperature(np.hypot(arm[:, 0], arm[:, 1]), t)
 
+    @cached_property
     def radial(self) -> RadialSolution:
-        """The radial solution, for heat contents and mean values."""
+        """The radial solution (solved once), for heat contents and mean values."""
         return RadialSolution(
             RadialProblem(
                 inner=0.0,

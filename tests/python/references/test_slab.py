@@ -134,3 +134,12 @@ def test_start_insulation_and_refusals():
         slab.convective_slab(1.1, 1.0, half_thickness=1.0)
     with pytest.raises(ValueError, match="Biot number must be positive"):
         slab.convective_roots(0.0, 3)
+
+
+def test_conduction_series_as_in_the_peridynamics_paper():
+    # Eq. 41 of the multi-horizon paper, start 0, with rho c for its rho_c^2
+    x, t, n = np.linspace(0, 1, 33), 0.08, np.arange(1, 60)
+    hot, cold = 1.0, 0.0
+    series = ((cold * np.cos(n * np.pi) - hot) / n) * np.exp(-(n**2) * np.pi**2 * t)
+    exact = hot + (cold - hot) * x + 2 / np.pi * np.sin(np.outer(x, n * np.pi)) @ series
+    assert slab.prescribed_slab(x, t) == pytest.approx(exact, abs=1e-14)

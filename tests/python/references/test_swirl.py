@@ -82,5 +82,5 @@ def test_temperature_is_carried_and_conducts_radially(swirl, points):
 
 
 def test_stored_heat_is_what_came_in(swirl):
-    radial = swirl.radial()
+    radial = swirl.radial
     assert radial.heat_content(0.5) == pytest.approx(radial.heat_taken_in(0.5).sum(), rel=1e-8)
