@@ -51,10 +51,11 @@ def test_kill_at_random(drivers, check_killed, tmp_path, kills):
         points = choose.choice([10, 3000])
         planned = choose.choice([0, 3, 1000])
         process = writer(drivers, path, 100_000, points, planned)
-        time.sleep(choose.uniform(0.005, 0.15))
+        lines = "".join(process.stdout.readline() for _ in range(choose.randrange(6)))
+        time.sleep(choose.uniform(0.0, 0.02))
         process.kill()
-        lines, _ = process.communicate()
+        lines += process.communicate()[0]
         frames_seen += check_killed(path, points, lines)
         for file in folder.iterdir():
             file.unlink()
-    assert frames_seen > kills  # it was not always killed before its first frames
+    assert frames_seen > kills  # 2.5 a kill on average, and those written during the sleep
