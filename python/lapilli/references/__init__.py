@@ -1,6 +1,6 @@
 """Independent references for every verification: NumPy and SciPy only, never the compiled module.
 
-A reference that shares code with the solver proves nothing; importing it must not even load it.
+A reference that shares code with the solver proves nothing; a test reads this folder's imports.
 
 | module | problem | method |
 |---|---|---|
