@@ -1,8 +1,10 @@
 #include "lapilli/geometry/fill.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lapilli/geometry/checks.hpp"
+#include "lapilli/geometry/clipped.hpp"
 #include "lapilli/geometry/lattice.hpp"
 #include "lapilli/geometry/random.hpp"
 
@@ -56,6 +58,27 @@ void fill_lattice(const Shape& shape, const Sites& sites, const FillOptions& opt
   });
 }
 
+// As many uniform points as boxes fit in, all of one volume; the volumes sum to the shape's.
+void fill_random(const Shape& shape, const Sites& sites, const FillOptions& options,
+                 FilledPoints& points) {
+  const double whole = clipped_volume(shape, sites);
+  if (whole <= 0.0) {
+    return;
+  }
+  const auto count = std::max<Index>(1, std::llround(whole / sites.box_volume()));
+  const Bounds box = bounds(shape);
+  Random random(options.seed);
+  while (points.size() < static_cast<std::size_t>(count)) {
+    Vec3 at = Vec3::Zero();
+    for (int axis = 0; axis < points.dimension; ++axis) {
+      at[axis] = random.uniform(box.lower[axis], box.upper[axis]);
+    }
+    if (distance(shape, at) <= 0.0) {
+      append(points, at, whole / static_cast<double>(count));
+    }
+  }
+}
+
 void check_options(const Lattice& lattice, const FillOptions& options, int dimension) {
   require(dimension >= 1 && dimension <= 3, "fill: dimension must be 1, 2 or 3, got ", dimension);
   require_positive(lattice.cell, "fill", "cell");
@@ -69,6 +92,8 @@ void check_options(const Lattice& lattice, const FillOptions& options, int dimen
   require_numbers(options.center, 0, static_cast<std::size_t>(dimension), "fill", "center");
   require(!options.clip || (options.jitter == 0.0 && !options.random),
           "fill: clip goes with neither jitter nor random; clipped points sit at centroids");
+  require(options.smallest_volume >= 0.0 && options.smallest_volume <= 0.5,
+          "fill: smallest_volume must be 0 to 0.5 of a lattice box, got ", options.smallest_volume);
   require(!options.random || options.jitter == 0.0, "fill: give random or jitter, not both");
 }
 
@@ -119,7 +144,13 @@ FilledPoints fill(const Shape& shape, const Lattice& lattice, const FillOptions&
   FilledPoints points;
   points.dimension = dimension;
   points.spacing = sites.spacing();
-  fill_lattice(body, sites, options, points);
+  if (options.clip) {
+    fill_clipped(body, sites, options.smallest_volume, points);
+  } else if (options.random) {
+    fill_random(body, sites, options, points);
+  } else {
+    fill_lattice(body, sites, options, points);
+  }
   require(points.size() > 0, kind_of(shape), ": no point of the lattice of spacing ",
           points.spacing, " m lies inside: choose smaller cells or more points per cell");
   return points;

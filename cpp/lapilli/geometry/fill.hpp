@@ -48,9 +48,8 @@ int points_per_axis(int points_per_cell, int dimension);
 /// By default one point at each lattice site inside the shape, of volume spacing^dimension, in
 /// lexicographic order (first axis fastest); the body then ends in a staircase. A site on the
 /// surface, to 1e-9 of the spacing, is inside. With `clip` each lattice box gives the part of it in
-/// the shape: exact for polygons and boxes in any position, otherwise to about 1e-7 of a box in one
-/// and two dimensions and 1e-5 in three; features thinner than 1/16 of the spacing away from any
-/// corner of a sub-box may be missed in three dimensions.
+/// the shape, volume and centroid: exact for polygons, for convex bodies with flat sides in any
+/// position and for any shape in one dimension, otherwise as `part_inside` says (measure.hpp).
 /// Throws std::invalid_argument for unusable shapes or options, endless shapes and when no site is
 /// inside.
 FilledPoints fill(const Shape& shape, const Lattice& lattice, const FillOptions& options,

@@ -12,8 +12,9 @@ Sites::Sites(const Shape& body, const Lattice& lattice, const FillOptions& optio
       fixed_(place(options.center)),
       turn_(rotation(options.degrees, Vec3::UnitZ())) {
   Bounds there = bounds(body);
-  there.lower.tail(3 - dimension).setZero();
-  there.upper.tail(3 - dimension).setZero();
+  for (int axis = dimension; axis < 3; ++axis) {
+    there.lower[axis] = there.upper[axis] = 0.0;
+  }
   const Vec3 middle = 0.5 * (there.lower + there.upper);
   const Vec3 half = 0.5 * (there.upper - there.lower);
   const Vec3 center = fixed_ + turn_.transpose() * (middle - fixed_);

@@ -29,7 +29,8 @@ class Sites {
   /// From the frame of the lattice to that of the scene.
   Vec3 to_scene(const Vec3& here) const { return fixed_ + turn_ * (here - fixed_); }
   const Mat3& turn() const { return turn_; }
-  const Vec3& fixed() const { return fixed_; }
+  /// And back.
+  Vec3 to_lattice(const Vec3& there) const { return fixed_ + turn_.transpose() * (there - fixed_); }
 
   /// Call visit(site) for all, first axis fastest.
   template <class Visit>

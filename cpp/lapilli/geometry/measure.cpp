@@ -1,0 +1,266 @@
+#include "lapilli/geometry/measure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace lapilli {
+namespace {
+
+using Distance = std::function<double(const Vec3&)>;
+
+// Volume and first moment about a fixed corner.
+struct Sum {
+  double volume = 0.0;
+  Vec3 moment = Vec3::Zero();
+
+  void add(double weight, const Sum& other) {
+    volume += weight * other.volume;
+    moment += weight * other.moment;
+  }
+};
+
+struct Gauss {
+  std::span<const double> place;   // in (0, 1)
+  std::span<const double> weight;  // sums to 1
+};
+
+Gauss gauss(int points) {
+  static constexpr double place_2[] = {0.21132486540518712, 0.78867513459481288};
+  static constexpr double weight_2[] = {0.5, 0.5};
+  static constexpr double place_3[] = {0.11270166537925831, 0.5, 0.88729833462074169};
+  static constexpr double weight_3[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+  static constexpr double place_4[] = {0.069431844202973712, 0.33000947820757187,
+                                       0.66999052179242813, 0.93056815579702629};
+  static constexpr double weight_4[] = {0.17392742256872693, 0.32607257743127307,
+                                        0.32607257743127307, 0.17392742256872693};
+  static constexpr double place_5[] = {0.046910077030668004, 0.23076534494715846, 0.5,
+                                       0.76923465505284154, 0.953089922969332};
+  static constexpr double weight_5[] = {0.11846344252809454, 0.23931433524968324,
+                                        0.28444444444444444, 0.23931433524968324,
+                                        0.11846344252809454};
+  switch (points) {
+    case 2:
+      return {place_2, weight_2};
+    case 3:
+      return {place_3, weight_3};
+    case 4:
+      return {place_4, weight_4};
+    default:
+      return {place_5, weight_5};
+  }
+}
+
+// Where the distance changes sign between two values of opposite sign: regula falsi with the
+// Illinois rule, to rounding.
+template <class Along>
+double sign_change(const Along& along, double a, double fa, double b, double fb) {
+  const double fine = 4e-16 * (std::abs(a) + std::abs(b) + (b - a));
+  double root = a;
+  for (int step = 0; step < 100 && b - a > fine; ++step) {
+    root = step % 4 == 3 ? 0.5 * (a + b) : a - fa * (b - a) / (fb - fa);
+    const double f = along(root);
+    if (f == 0.0) {
+      break;
+    }
+    if ((f > 0.0) == (fb > 0.0)) {
+      if (step % 4 != 3 && std::abs(root - b) < fine) {
+        break;
+      }
+      b = root;
+      fb = f;
+      fa *= 0.5;
+    } else {
+      if (step % 4 != 3 && std::abs(root - a) < fine) {
+        break;
+      }
+      a = root;
+      fa = f;
+      fb *= 0.5;
+    }
+  }
+  return root;
+}
+
+// Sign changes on [a, b] in order, looked for in halves of halves where the distance does not
+// exclude them.
+template <class Along>
+void sign_changes(const Along& along, double a, double fa, double b, double fb, int halvings,
+                  std::vector<double>& roots) {
+  const bool differ = (fa > 0.0) != (fb > 0.0);
+  const bool decided =
+      differ ? std::abs(fb - fa) > 0.5 * (b - a) : std::abs(fa) + std::abs(fb) >= b - a;
+  if (decided || halvings == 0) {
+    if (differ) {
+      roots.push_back(sign_change(along, a, fa, b, fb));
+    }
+    return;
+  }
+  const double middle = 0.5 * (a + b);
+  const double f = along(middle);
+  sign_changes(along, a, fa, middle, f, halvings - 1, roots);
+  sign_changes(along, middle, f, b, fb, halvings - 1, roots);
+}
+
+// How often a line is halved to find thin parts: in one dimension to 1e-6 of it.
+int line_halvings(int dimension) { return dimension == 1 ? 20 : dimension == 2 ? 5 : 3; }
+
+// One sub-box, integrated axis by axis: lengths along the steepest axis, Gauss points along the
+// others between the places where the surface crosses the edges of the sub-box (after Saye 2015).
+class SubBox {
+ public:
+  SubBox(const Distance& distance, const Vec3& corner, const Vec3& lower, double side,
+         int dimension)
+      : distance_(distance), corner_(corner), lower_(lower), side_(side), dimension_(dimension) {
+    order_axes();
+  }
+
+  Sum integrate(int gauss_points) const {
+    Vec3 at = lower_;
+    return over_axis(dimension_ - 1, at, gauss(gauss_points));
+  }
+
+ private:
+  // order_[0] is the steepest axis, integrated innermost.
+  void order_axes() {
+    Vec3 slope = Vec3::Zero();
+    for (int which = 0; which < 1 << dimension_; ++which) {
+      Vec3 at = lower_;
+      for (int axis = 0; axis < dimension_; ++axis) {
+        at[axis] += (which >> axis & 1) * side_;
+      }
+      const double value = distance_(at);
+      for (int axis = 0; axis < dimension_; ++axis) {
+        slope[axis] += (which >> axis & 1) ? value : -value;
+      }
+    }
+    std::stable_sort(order_.begin(), order_.begin() + dimension_,
+                     [&](int a, int b) { return std::abs(slope[a]) > std::abs(slope[b]); });
+  }
+
+  void roots_along(int axis, const Vec3& at, std::vector<double>& roots) const {
+    const auto along = [&](double s) {
+      Vec3 x = at;
+      x[axis] = s;
+      return distance_(x);
+    };
+    const double a = lower_[axis], b = a + side_;
+    sign_changes(along, a, along(a), b, along(b), line_halvings(dimension_), roots);
+  }
+
+  // Breakpoints along order_[level]: ends, and the roots on the edges of the slice below.
+  std::vector<double> breaks(int level, Vec3 at) const {
+    const int axis = order_[static_cast<std::size_t>(level)];
+    std::vector<double> all = {lower_[axis], lower_[axis] + side_};
+    for (int which = 0; which < 1 << level; ++which) {
+      for (int below = 0; below < level; ++below) {
+        const int other = order_[static_cast<std::size_t>(below)];
+        at[other] = lower_[other] + (which >> below & 1) * side_;
+      }
+      roots_along(axis, at, all);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+  Sum over_axis(int level, Vec3& at, const Gauss& rule) const {
+    const int axis = order_[static_cast<std::size_t>(level)];
+    Sum sum;
+    const std::vector<double> cuts = breaks(level, at);
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+      const double from = cuts[k], length = cuts[k + 1] - cuts[k];
+      if (length <= 0.0) {
+        continue;
+      }
+      if (level == 0) {
+        at[axis] = from + 0.5 * length;
+        if (distance_(at) <= 0.0) {
+          sum.add(length, {1.0, at - corner_});
+        }
+      } else {
+        for (std::size_t g = 0; g < rule.place.size(); ++g) {
+          at[axis] = from + rule.place[g] * length;
+          sum.add(rule.weight[g] * length, over_axis(level - 1, at, rule));
+        }
+      }
+    }
+    return sum;
+  }
+
+  const Distance& distance_;
+  Vec3 corner_, lower_;
+  double side_;
+  int dimension_;
+  std::array<int, 3> order_{0, 1, 2};
+};
+
+// How finely boxes are halved and which rules are compared.
+struct Plan {
+  int coarse, fine;  // Gauss points
+  double tolerance;  // of the whole box
+  int halvings;
+};
+
+Plan plan_for(int dimension) {
+  return dimension == 1   ? Plan{2, 2, 1.0, 0}
+         : dimension == 2 ? Plan{3, 5, 1e-8, 9}
+                          : Plan{2, 4, 2e-5, 4};
+}
+
+struct Adaptive {
+  const Distance& distance;
+  Vec3 corner;
+  int dimension;
+  Plan plan;
+  double whole;
+
+  Sum integrate(const Vec3& lower, double side, int halvings_left) const {
+    Vec3 middle = lower;
+    for (int axis = 0; axis < dimension; ++axis) {
+      middle[axis] += 0.5 * side;
+    }
+    const double reach = 0.5 * side * std::sqrt(static_cast<double>(dimension));
+    const double depth = distance(middle);
+    const double volume = std::pow(side, dimension);
+    if (depth >= reach) {
+      return {};
+    }
+    if (depth <= -reach) {
+      return {volume, volume * (middle - corner)};
+    }
+    const SubBox box(distance, corner, lower, side, dimension);
+    const Sum fine = box.integrate(plan.fine);
+    if (halvings_left == 0 ||
+        std::abs(fine.volume - box.integrate(plan.coarse).volume) <= plan.tolerance * whole) {
+      return fine;
+    }
+    Sum sum;
+    for (int child = 0; child < 1 << dimension; ++child) {
+      Vec3 from = lower;
+      for (int axis = 0; axis < dimension; ++axis) {
+        from[axis] += (child >> axis & 1) * 0.5 * side;
+      }
+      sum.add(1.0, integrate(from, 0.5 * side, halvings_left - 1));
+    }
+    return sum;
+  }
+};
+
+}  // namespace
+
+Part part_inside(const Distance& signed_distance, const Vec3& lower, double side, int dimension) {
+  const Plan plan = plan_for(dimension);
+  const Adaptive adaptive{signed_distance, lower, dimension, plan, std::pow(side, dimension)};
+  const Sum sum = adaptive.integrate(lower, side, plan.halvings);
+  Part part;
+  part.volume = sum.volume;
+  if (sum.volume > 0.0) {
+    part.centroid = lower + sum.moment / sum.volume;
+  }
+  return part;
+}
+
+}  // namespace lapilli
