@@ -1,0 +1,126 @@
+#pragma once
+
+#include <limits>
+
+#include "lapilli/core/quad.hpp"
+#include "lapilli/materials/elastic.hpp"
+#include "lapilli/materials/symmetric_tensor.hpp"
+
+namespace lapilli {
+
+/// Elastic, perfectly plastic soil: Mohr-Coulomb with its own dilation angle, closed in tension by
+/// a Rankine cut-off (at the apex unless a lower one is given). Tension is positive.
+/// Not modelled: hardening, rate dependence, pore pressure.
+struct MohrCoulomb {
+  LinearElastic elastic;
+  double friction = 0.0;                                            // degrees, in [0, 90)
+  double dilation = 0.0;                                            // degrees, in [0, friction]
+  double cohesion = 0.0;                                            // Pa
+  double tension_cutoff = std::numeric_limits<double>::infinity();  // Pa, largest principal stress
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    LinearElastic::describe(self.elastic, visit);
+    visit(Key("friction").unit("degree").range(0.0, 89.999).required().text("friction angle"),
+          self.friction);
+    visit(Key("dilation")
+              .unit("degree")
+              .range(0.0, 89.999)
+              .text("dilation angle, at most the friction angle"),
+          self.dilation);
+    visit(Key("cohesion").unit("Pa").non_negative().text("shear strength without pressure"),
+          self.cohesion);
+    visit(Key("tension_cutoff")
+              .unit("Pa")
+              .non_negative()
+              .text("largest principal stress; the apex of the cone where it is lower"),
+          self.tension_cutoff);
+  }
+};
+
+/// Throws std::invalid_argument naming the first constant outside its range.
+void check(const MohrCoulomb& material);
+
+/// The constants of the return mapping, made once a material.
+struct MohrCoulombReturn {
+  explicit MohrCoulombReturn(const MohrCoulomb& material);
+
+  double above, below, strength;   // (1 + sin phi) s1 - (1 - sin phi) s3 <= strength
+  double flow1, flow2, flow3;      // elastic stress of the plastic flow over 2 mu, sorted
+  double flow_left, flow_right;    // its mean over the two stresses that meet on an edge
+  double plane, left, right;       // 1 / (yield normal : flow) on the plane and the edges
+  double tension, tension3;        // cut-off, and s3 where it meets the cone
+  double poissons_ratio, lateral;  // nu, nu / (1 - nu)
+};
+
+/// Sorted principal stresses after the return, s1 >= s2 >= s3, Pa.
+template <class Real>
+struct PrincipalStress {
+  Real s1, s2, s3;
+};
+
+/// Exact return of a sorted elastic trial: plane, two edges, cut-off face, edge, corner, and the
+/// line and corners where the cut-off meets the cone (with no cut-off given all of these fall
+/// together in the apex). Closed form, no iteration, no branch; Real is double or Quad.
+/// Regions by the sign of the multipliers as in Clausen, Damkilde & Andersen (2006), Comput.
+/// Struct. 85:1795.
+template <class Real>
+inline PrincipalStress<Real> return_sorted(const MohrCoulombReturn& m, Real t1, Real t2, Real t3) {
+  const Real tension = as<Real>(m.tension), tension3 = as<Real>(m.tension3);
+  const Real yield = m.above * t1 - m.below * t3 - m.strength;
+  const Real plane = yield * m.plane;
+  const Real p1 = t1 - m.flow1 * plane;
+  const Real p2 = t2 - m.flow2 * plane;
+  const Real p3 = t3 - m.flow3 * plane;
+
+  // Left edge (s1 = s2) and right edge (s2 = s3): both multipliers at once through the mean stress.
+  const Real mean12 = 0.5 * (t1 + t2);
+  const Real left = (m.above * mean12 - m.below * t3 - m.strength) * m.left;
+  const Real l12 = mean12 - m.flow_left * left;
+  const Real l3 = t3 - m.flow3 * left;
+  const Real mean23 = 0.5 * (t2 + t3);
+  const Real right = (m.above * t1 - m.below * mean23 - m.strength) * m.right;
+  const Real r1 = t1 - m.flow1 * right;
+  const Real r23 = mean23 - m.flow_right * right;
+
+  const auto past_left = p1 < p2;
+  const auto past_right = p2 < p3;
+  const auto on_left = past_left & ((p2 >= p3) | (l12 >= l3));
+  const auto plastic = yield > 0.0;
+  const Real e1 = past_right ? r1 : p1, e2 = past_right ? r23 : p2, e3 = past_right ? r23 : p3;
+  const Real c1 = on_left ? l12 : e1, c2 = on_left ? l12 : e2, c3 = on_left ? l3 : e3;
+  const Real s1 = plastic ? c1 : t1, s2 = plastic ? c2 : t2, s3 = plastic ? c3 : t3;
+
+  // Cut-off alone: face, edge, corner.
+  const Real excess = t1 - tension;
+  const Real face2 = t2 - m.lateral * excess;
+  const Real face3 = t3 - m.lateral * excess;
+  const Real edge3 = t3 - m.poissons_ratio * (2.0 * (mean12 - tension));
+  const Real capped3 = edge3 > tension ? tension : edge3;
+  const auto on_edge = face2 > tension;
+  const Real k2 = on_edge ? tension : face2;
+  const Real k3 = on_edge ? capped3 : face3;
+
+  // Cut-off and cone together: no plastic strain along the middle axis between the corners.
+  const Real middle = t2 + m.poissons_ratio * (tension + tension3 - t1 - t3);
+  const Real below_top = middle > tension ? tension : middle;
+  const Real j2 = below_top < tension3 ? tension3 : below_top;
+
+  const auto inside_cone = k3 >= tension3;
+  const auto cut = s1 > tension;
+  const Real h2 = inside_cone ? k2 : j2, h3 = inside_cone ? k3 : tension3;
+  return {cut ? tension : s1, cut ? h2 : s2, cut ? h3 : s3};
+}
+
+/// Return of any elastic trial stress of one point.
+SymmetricTensor return_stress(const MohrCoulombReturn& material, const SymmetricTensor& trial);
+
+/// Return `rows` trial stresses in place: component c of row k is stress[c * stride + k]. Six
+/// components xx, yy, zz, xy, yz, xz.
+void return_stresses(const MohrCoulombReturn& material, double* stress, int stride, int rows);
+
+/// The same in plane strain: four components xx, yy, zz, xy.
+void return_stresses_plane_strain(const MohrCoulombReturn& material, double* stress, int stride,
+                                  int rows);
+
+}  // namespace lapilli
