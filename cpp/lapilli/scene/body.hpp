@@ -78,21 +78,21 @@ struct Body {
   std::string name;
   std::optional<Shape> shape;
   std::optional<ImageSource> image;
-  std::string points_file;                       // text rows: coordinates, volume
-  std::optional<GivenPoints> points;             // from a program only
-  std::optional<int> points_per_cell;            // automatic: two along each axis
-  bool clip = false;                             // cut boundary points to the shape
-  double jitter = 0.0;                           // of the points' spacing
-  bool random = false;                           // anywhere in their cell instead of a lattice
-  Index seed = 1;                                // of jitter and random
-  double rotation = 0.0;                         // degree, of the filled points
-  std::vector<double> rotation_center;           // m; empty: the origin
+  std::string points_file;                        // text rows: coordinates, volume
+  std::optional<GivenPoints> points;              // from a program only
+  std::optional<int> points_per_cell;             // automatic: two along each axis
+  bool clip = false;                              // cut boundary points to the shape
+  double jitter = 0.0;                            // of the points' spacing
+  bool random = false;                            // anywhere in their cell instead of a lattice
+  Index seed = 1;                                 // of jitter and random
+  double rotation = 0.0;                          // degree, of the filled points
+  std::vector<double> rotation_center;            // m; empty: the origin
   std::vector<double> rotation_axis = {0, 0, 1};  // three dimensions only
-  std::vector<double> translation;               // m, after the rotation; empty: none
+  std::vector<double> translation;                // m, after the rotation; empty: none
   std::vector<Material> material;
-  Value temperature = 0.0;                       // K, at the start
-  Value source = 0.0;                            // W/m^3, heat released
-  std::vector<double> velocity;                  // m/s, at the start; empty: at rest
+  Value temperature = 0.0;       // K, at the start
+  Value source = 0.0;            // W/m^3, heat released
+  std::vector<double> velocity;  // m/s, at the start; empty: at rest
   std::optional<Motion> motion;
 
   template <class Self, class Visitor>
@@ -103,8 +103,10 @@ struct Body {
     visit(Key("points_file").text("text file of points: coordinates and volume in each row"),
           self.points_file);
     visit(Key("points").text("arrays of points, from a program only"), self.points);
-    visit(Key("points_per_cell").range(1, 1000).absent("auto").text(
-              "points in a full cell, the same number along each axis"),
+    visit(Key("points_per_cell")
+              .range(1, 1000)
+              .absent("auto")
+              .text("points in a full cell, the same number along each axis"),
           self.points_per_cell);
     visit(Key("clip").text("cut the volume of boundary points to the shape"), self.clip);
     visit(Key("jitter").range(0.0, 0.5).text("random displacement, in spacings of the points"),
@@ -113,15 +115,17 @@ struct Body {
     visit(Key("seed").non_negative().text("seed of jitter and random"), self.seed);
     visit(Key("rotation").unit("degree").text("turn of the filled points, anticlockwise"),
           self.rotation);
-    visit(Key("rotation_center").unit("m").length(0, 3).text(
-              "point that stays; empty: the origin"),
+    visit(Key("rotation_center").unit("m").length(0, 3).text("point that stays; empty: the origin"),
           self.rotation_center);
     visit(Key("rotation_axis").length(3, 3).text("direction that stays, in three dimensions"),
           self.rotation_axis);
     visit(Key("translation").unit("m").length(0, 3).text("displacement after the turn"),
           self.translation);
-    visit(Key("material").required().one_or_many().length(1, 16).text(
-              "what it is made of: one material, or one for each physics"),
+    visit(Key("material")
+              .required()
+              .one_or_many()
+              .length(1, 16)
+              .text("what it is made of: one material, or one for each physics"),
           self.material);
     visit(Key("temperature").unit("K").text("temperature at the start"), self.temperature);
     visit(Key("source").unit("W/m3").text("heat released in its volume"), self.source);

@@ -20,11 +20,15 @@ struct IgnoreMembers {
 
 /// A struct with describe().
 template <class T>
-concept Described = requires { &T::template describe<T, IgnoreMembers>; };
+concept Described = requires {
+  &T::template describe<T, IgnoreMembers>;
+};
 
 /// An enumeration with names.
 template <class T>
-concept Named = std::is_enum_v<T> && requires { Names<T>::values; };
+concept Named = std::is_enum_v<T> && requires {
+  Names<T>::values;
+};
 
 template <class T>
 inline constexpr bool is_vector = false;
@@ -48,7 +52,9 @@ const std::variant<T...>& variant_of(const std::variant<T...>& kinded) {
 
 /// A variant of described structs, told apart by their `kind`, or a struct that derives from one.
 template <class T>
-concept Kinded = requires(T& t) { variant_of(t); };
+concept Kinded = requires(T& t) {
+  variant_of(t);
+};
 
 /// A value held elsewhere, perhaps not given: what lets a struct contain its own kind.
 template <class T>

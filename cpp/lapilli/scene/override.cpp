@@ -22,8 +22,9 @@ std::vector<std::string> split_path(const std::string& path) {
 }
 
 bool is_word(const std::string& text) {
-  return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                 "0123456789_-./") == std::string::npos;
+  return !text.empty() && text.find_first_not_of(
+                              "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                              "0123456789_-./") == std::string::npos;
 }
 
 Tree value_of(const std::string& text) {
@@ -144,11 +145,13 @@ class Setter {
 
 void apply_override(Scene& scene, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
-  require(equals != std::string::npos && equals > 0, "--set needs key=value, got \"", assignment, "\"");
+  require(equals != std::string::npos && equals > 0, "--set needs key=value, got \"", assignment,
+          "\"");
   const auto trimmed = [](const std::string& text) {
     const std::size_t begin = text.find_first_not_of(" \t");
-    return begin == std::string::npos ? std::string()
-                                      : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+    return begin == std::string::npos
+               ? std::string()
+               : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
   };
   Tree value = value_of(trimmed(assignment.substr(equals + 1)));
   forget_places(value);

@@ -33,9 +33,9 @@ struct GridSettings {
 
 /// When the run ends and how its steps are chosen.
 struct TimeSettings {
-  double end = 0.0;             // s
-  std::optional<double> step;   // s; not set: automatic
-  std::optional<Index> steps;   // equal steps to the end, for scenes that no step limits
+  double end = 0.0;            // s
+  std::optional<double> step;  // s; not set: automatic
+  std::optional<Index> steps;  // equal steps to the end, for scenes that no step limits
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -67,7 +67,8 @@ struct OutputSettings {
 
 struct Places;
 
-/// All that a run computes, as plain data. A section that is absent is physics that is not modelled.
+/// All that a run computes, as plain data. A section that is absent is physics that is not
+/// modelled.
 struct Scene {
   std::string title;
   GridSettings grid;

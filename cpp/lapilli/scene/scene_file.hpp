@@ -16,8 +16,8 @@ Scene parse_scene(std::string_view text, const std::string& name);
 /// The scene of a TOML file.
 Scene load_scene(const std::string& path);
 
-/// The scene as TOML; reads back to the same scene, bit by bit. Throws std::invalid_argument by name
-/// for functions and arrays, which no file holds.
+/// The scene as TOML; reads back to the same scene, bit by bit. Throws std::invalid_argument by
+/// name for functions and arrays, which no file holds.
 std::string to_toml(const Scene& scene, Members members = Members::changed);
 
 /// Write the scene as TOML, whole or not at all.

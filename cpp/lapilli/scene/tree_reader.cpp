@@ -47,11 +47,13 @@ std::string joined(const std::vector<std::string>& words) {
 std::string suggestion(const std::string& word, const std::vector<std::string>& allowed) {
   // Distances to words of any length would cost their product.
   const std::string near = word.size() <= 64 ? nearest_name(word, allowed) : std::string();
-  return (near.empty() ? "; allowed: " : "; did you mean '" + near + "'? allowed: ") + joined(allowed);
+  return (near.empty() ? "; allowed: " : "; did you mean '" + near + "'? allowed: ") +
+         joined(allowed);
 }
 
 void TreeReader::fail(Place place, const std::string& path, const std::string& what) const {
-  const std::string where = place.line > 0 ? message(places_.source, ":", place.line, ":", place.column, ": ")
+  const std::string where = place.line > 0
+                                ? message(places_.source, ":", place.line, ":", place.column, ": ")
                             : places_.source.empty() ? std::string()
                                                      : places_.source + ": ";
   throw std::invalid_argument(where + path + (path.empty() ? "" : " ") + what);
@@ -63,7 +65,8 @@ void TreeReader::check_in_range(const Tree& tree, const Key& key, const std::str
                       (key.open ? number > key.least : number >= key.least);
   if (!inside) {
     const std::string range = allowed_range(key);
-    fail(tree, path, message("must be ", range.empty() ? "a finite number" : range, ", got ", number));
+    fail(tree, path,
+         message("must be ", range.empty() ? "a finite number" : range, ", got ", number));
   }
 }
 
@@ -72,8 +75,9 @@ void TreeReader::read_number(const Tree& tree, const Key& key, const std::string
   if (!number_of(tree, number)) {
     const std::string word =
         *key.absent_word ? message(" or \"", key.absent_word, "\"") : std::string();
-    fail(tree, path, message("must be a number", *key.of_unit ? " in " : "", key.of_unit, word,
-                             ", got ", in_words(tree)));
+    fail(tree, path,
+         message("must be a number", *key.of_unit ? " in " : "", key.of_unit, word, ", got ",
+                 in_words(tree)));
   }
   check_in_range(tree, key, path, number);
 }
@@ -134,8 +138,9 @@ void TreeReader::read_value(const Tree& tree, const Key& key, const std::string&
     }
   }
   if (in_time.times.size() != in_time.values.size()) {
-    fail(tree, path, message("needs as many values as times, got ", in_time.values.size(), " and ",
-                             in_time.times.size()));
+    fail(tree, path,
+         message("needs as many values as times, got ", in_time.values.size(), " and ",
+                 in_time.times.size()));
   }
   if (std::adjacent_find(in_time.times.begin(), in_time.times.end(), std::greater_equal<>()) !=
       in_time.times.end()) {
@@ -155,7 +160,8 @@ void TreeReader::read_tensor(const Tree& tree, const Key& key, const std::string
   const Tree::Array* list = tree.array();
   if (!list || list->size() != 6) {
     fail(tree, path,
-         message("must be a number or the six components xx, yy, zz, xy, yz, xz, got ", in_words(tree)));
+         message("must be a number or the six components xx, yy, zz, xy, yz, xz, got ",
+                 in_words(tree)));
   }
   for (int k = 0; k < 6; ++k) {
     read_number((*list)[static_cast<std::size_t>(k)], key, joined_path(path, std::to_string(k)),
@@ -181,7 +187,9 @@ void TreeReader::check_length(const Tree& tree, const Key& key, const std::strin
     } else if (key.longest != key.shortest) {
       allowed = message(key.shortest, " to ", key.longest);
     }
-    fail(tree, path, message("must hold ", allowed, key.longest == 1 ? " entry" : " entries", ", got ", length));
+    fail(
+        tree, path,
+        message("must hold ", allowed, key.longest == 1 ? " entry" : " entries", ", got ", length));
   }
 }
 
@@ -189,7 +197,8 @@ void TreeReader::check_known(const Tree::Table& table, const std::string& path,
                              const std::vector<std::string>& allowed) const {
   for (const Tree::Entry& entry : table) {
     if (std::find(allowed.begin(), allowed.end(), entry.name) == allowed.end()) {
-      fail(entry.place, joined_path(path, entry.name), "is no known key" + suggestion(entry.name, allowed));
+      fail(entry.place, joined_path(path, entry.name),
+           "is no known key" + suggestion(entry.name, allowed));
     }
   }
 }

@@ -59,7 +59,8 @@ class TreeReader {
                       double number) const;
   void read_number(const Tree& tree, const Key& key, const std::string& path, double& number) const;
   void read_integer(const Tree& tree, const Key& key, const std::string& path, Index& number) const;
-  void read_text(const Tree& tree, const Key& key, const std::string& path, std::string& text) const;
+  void read_text(const Tree& tree, const Key& key, const std::string& path,
+                 std::string& text) const;
   void read_value(const Tree& tree, const Key& key, const std::string& path, Value& value) const;
   void read_tensor(const Tree& tree, const Key& key, const std::string& path,
                    SymmetricTensor& tensor) const;
@@ -145,8 +146,9 @@ void TreeReader::read_struct(const Tree& tree, const std::string& path, T& objec
       places_.at[member_path] = entry->place;
       read(entry->value, key, member_path, member);
     } else if (key.is_required) {
-      fail(tree, member_path, message("is missing", *key.meaning ? ": " : "", key.meaning,
-                                      *key.of_unit ? " in " : "", key.of_unit));
+      fail(tree, member_path,
+           message("is missing", *key.meaning ? ": " : "", key.meaning, *key.of_unit ? " in " : "",
+                   key.of_unit));
     }
   };
   T::describe(object, fill);

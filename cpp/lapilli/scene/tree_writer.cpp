@@ -18,8 +18,9 @@ Tree TreeWriter::write_value(const Value& value, const std::string& path) const 
     return write_number(value.at(0.0), path);
   }
   const auto& in_time = std::get<Table>(value.form());
-  return {Tree::Table{{"times", {}, write(in_time.times, Key("times"), joined_path(path, "times"))},
-                      {"values", {}, write(in_time.values, Key("values"), joined_path(path, "values"))}},
+  return {Tree::Table{
+              {"times", {}, write(in_time.times, Key("times"), joined_path(path, "times"))},
+              {"values", {}, write(in_time.values, Key("values"), joined_path(path, "values"))}},
           {}};
 }
 

@@ -74,9 +74,10 @@ TEST_CASE("a mistake names file, line, column, key, and what is allowed") {
     const char *from, *to, *message;
   };
   const auto mistake = GENERATE(
-      Mistake{"cell = 0.1", "cel = 0.1",
-              "ring.toml:6:1: grid.cel is no known key; did you mean 'cell'? allowed: lower, upper, "
-              "cell, shape_function"},
+      Mistake{
+          "cell = 0.1", "cel = 0.1",
+          "ring.toml:6:1: grid.cel is no known key; did you mean 'cell'? allowed: lower, upper, "
+          "cell, shape_function"},
       Mistake{"cell = 0.1", "wavelength = 0.1", "grid.wavelength is no known key; allowed: lower"},
       Mistake{"cell = 0.1", "cell = \"fine\"",
               "ring.toml:6:8: grid.cell must be a number in m, got the text \"fine\""},
@@ -87,12 +88,15 @@ TEST_CASE("a mistake names file, line, column, key, and what is allowed") {
       Mistake{"[-5.5, -5.5]", "[]", "ring.toml:4:9: grid.lower must hold 1 to 3 entries, got 0"},
       Mistake{"[-5.5, -5.5]", "[1, true]", "grid.lower.1 must be a number in m, got true"},
       Mistake{"[-5.5, -5.5]", "1", "grid.lower must be a list, got 1"},
-      Mistake{"\"kept\"", "\"kep\"",
-              "ring.toml:11:12: heat.transfer knows no 'kep'; did you mean 'kept'? allowed: auto, "},
+      Mistake{
+          "\"kept\"", "\"kep\"",
+          "ring.toml:11:12: heat.transfer knows no 'kep'; did you mean 'kept'? allowed: auto, "},
       Mistake{"\"kept\"", "1", "heat.transfer must be one of auto, kept"},
-      Mistake{"\"annulus\"", "\"anulus\"", "bodies.0.shape.kind knows no 'anulus'; did you mean 'annulus'"},
+      Mistake{"\"annulus\"", "\"anulus\"",
+              "bodies.0.shape.kind knows no 'anulus'; did you mean 'annulus'"},
       Mistake{"kind = \"annulus\", ", "", "bodies.0.shape.kind is missing: which of box"},
-      Mistake{"outer = 5", "outer = [5]", "bodies.0.shape.outer must be a number in m, got a list of 1"},
+      Mistake{"outer = 5", "outer = [5]",
+              "bodies.0.shape.outer must be a number in m, got a list of 1"},
       Mistake{"[0, 1]", "[0, 0]", "heat.boundaries.0.ambient.times must increase"},
       Mistake{"[0, 1]", "[0]", "needs as many values as times, got 2 and 1"},
       Mistake{"[heat]", "[hat]", "ring.toml:10:2: hat is no known key; did you mean 'heat'"},
@@ -156,11 +160,11 @@ TEST_CASE("an override that is wrong leaves the scene as it was") {
       Mistake{"grid.cell=", "--set: the value is missing"},
       Mistake{"grid.cell=1\nevil=2", "--set: the value is not valid TOML"},
       Mistake{"grid.cell.fine=1", "grid.cell has no parts"},
-      Mistake{"bodies.1.jitter=0.1", "bodies.1 does not exist: bodies has 1 entries, counted from 0"},
+      Mistake{"bodies.1.jitter=0.1",
+              "bodies.1 does not exist: bodies has 1 entries, counted from 0"},
       Mistake{"bodies.0.shape.kind=disk", "bodies.0.shape.kind cannot change alone"},
       Mistake{"bodies.0.motion.velocity=[1]", "bodies.0.motion.kind is missing"},
-      Mistake{"=1", "--set needs key=value"},
-      Mistake{".=1", "is no known key"});
+      Mistake{"=1", "--set needs key=value"}, Mistake{".=1", "is no known key"});
   Scene scene = parse_scene(ring, "ring.toml");
   CHECK_THROWS_WITH(apply_override(scene, mistake.assignment), Contains(mistake.message));
   CHECK(to_toml(scene) == to_toml(parse_scene(ring, "ring.toml")));
