@@ -36,6 +36,12 @@ struct Key {
     return key;
   }
 
+  /// Infinity is allowed: "no limit".
+  constexpr Key or_infinite() const {
+    Key key = *this;
+    key.infinity_allowed = true;
+    return key;
+  }
   /// A list that may also be written as its one element.
   constexpr Key one_or_many() const {
     Key key = *this;
@@ -59,6 +65,7 @@ struct Key {
   double most = infinity();
   bool open = false;
   bool is_required = false;
+  bool infinity_allowed = false;
   bool single_allowed = false;
   int shortest = 0;
   int longest = std::numeric_limits<int>::max();

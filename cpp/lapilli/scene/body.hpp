@@ -51,33 +51,11 @@ struct GivenPoints {
   std::vector<double> volumes;    // m^dimension
 };
 
-/// A picture whose dark pixels are the body.
-struct ImageSource {
-  std::string file;           // PGM or PNG, beside the scene file unless absolute
-  std::vector<double> lower;  // m, lower left corner of the picture
-  double width = 1.0;         // m
-  double threshold = 0.5;     // of white
-  bool dark = true;           // dark pixels are the body
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit(Key("file").required().text("image file, beside the scene file unless absolute"),
-          self.file);
-    visit(Key("lower").unit("m").required().length(2, 2).text("lower left corner of the picture"),
-          self.lower);
-    visit(Key("width").unit("m").positive().required().text("width of the picture"), self.width);
-    visit(Key("threshold").range(0.0, 1.0).text("brightness that parts body from background"),
-          self.threshold);
-    visit(Key("dark").text("whether dark pixels are the body, or bright ones"), self.dark);
-  }
-};
-
 /// A body: where its points come from, what it is made of, how it starts and how it is moved.
-/// Points come from one of `shape`, `image`, `points_file`, `points`.
+/// Points come from one of `shape`, `points_file`, `points`.
 struct Body {
   std::string name;
   std::optional<Shape> shape;
-  std::optional<ImageSource> image;
   std::string points_file;                        // text rows: coordinates, volume
   std::optional<GivenPoints> points;              // from a program only
   std::optional<int> points_per_cell;             // automatic: two along each axis
@@ -99,7 +77,6 @@ struct Body {
   static void describe(Self& self, Visitor& visit) {
     visit(Key("name").text("name in messages and results"), self.name);
     visit(Key("shape").text("shape filled with points"), self.shape);
-    visit(Key("image").text("image whose pixels are the body"), self.image);
     visit(Key("points_file").text("text file of points: coordinates and volume in each row"),
           self.points_file);
     visit(Key("points").text("arrays of points, from a program only"), self.points);

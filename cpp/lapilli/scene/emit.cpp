@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 
 #include "lapilli/core/require.hpp"
@@ -114,7 +115,8 @@ void emit_json(const Tree& tree, const std::string& indent, std::string& text) {
     }
     text += lines ? indent + "]" : "]";
   } else {
-    text += scalar(tree);
+    const auto* number = std::get_if<double>(&tree.value);
+    text += number && std::isinf(*number) ? quoted(shortest(*number)) : scalar(tree);
   }
 }
 

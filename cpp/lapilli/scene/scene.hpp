@@ -48,19 +48,25 @@ struct TimeSettings {
 
 /// What a run leaves on disk.
 struct OutputSettings {
-  std::string path;               // frames for ParaView; empty: none
-  std::optional<double> every;    // s between frames; not set: the first and the last
-  bool checkpoint = true;         // beside the frames, to resume from
-  double checkpoint_every = 300;  // s of wall time
+  std::string path;                        // frames for ParaView, ends in .vtkhdf; empty: none
+  std::optional<double> every;             // s between frames; not set: the first and the last
+  std::optional<Index> every_steps;        // steps between frames, instead
+  bool checkpoint = true;                  // beside the frames, to resume from
+  std::optional<double> checkpoint_every;  // s of wall time; not set: with every frame
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("path").text("file of frames for ParaView; empty: none"), self.path);
+    visit(Key("path").text("file of frames for ParaView, ending in .vtkhdf"), self.path);
     visit(Key("every").unit("s").positive().text(
               "time between frames; the first and the last only when not given"),
           self.every);
+    visit(Key("every_steps").range(1, 1e12).text("steps between frames, instead of a time"),
+          self.every_steps);
     visit(Key("checkpoint").text("keep a state to resume from beside the frames"), self.checkpoint);
-    visit(Key("checkpoint_every").unit("s").positive().text("wall time between checkpoints"),
+    visit(Key("checkpoint_every")
+              .unit("s")
+              .positive()
+              .text("wall time between checkpoints; one with every frame when not given"),
           self.checkpoint_every);
   }
 };

@@ -61,8 +61,9 @@ void TreeReader::fail(Place place, const std::string& path, const std::string& w
 
 void TreeReader::check_in_range(const Tree& tree, const Key& key, const std::string& path,
                                 double number) const {
-  const bool inside = std::isfinite(number) && number <= key.most &&
-                      (key.open ? number > key.least : number >= key.least);
+  const bool usable = std::isfinite(number) || (key.infinity_allowed && std::isinf(number));
+  const bool inside =
+      usable && number <= key.most && (key.open ? number > key.least : number >= key.least);
   if (!inside) {
     const std::string range = allowed_range(key);
     fail(tree, path,

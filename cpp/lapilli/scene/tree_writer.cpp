@@ -2,20 +2,20 @@
 
 namespace lapilli {
 
-Tree TreeWriter::write_number(double number, const std::string& path) const {
-  if (!std::isfinite(number)) {
+Tree TreeWriter::write_number(double number, const Key& key, const std::string& path) const {
+  if (!std::isfinite(number) && !(key.infinity_allowed && std::isinf(number))) {
     require(in_memory_ == InMemory::named, path, " is ", number, ", which no scene file may hold");
     return {message(number), {}};
   }
   return {number, {}};
 }
 
-Tree TreeWriter::write_value(const Value& value, const std::string& path) const {
+Tree TreeWriter::write_value(const Value& value, const Key& key, const std::string& path) const {
   if (value.is_function()) {
     return no_file_form(path, "function");
   }
   if (value.is_constant()) {
-    return write_number(value.at(0.0), path);
+    return write_number(value.at(0.0), key, path);
   }
   const auto& in_time = std::get<Table>(value.form());
   return {Tree::Table{
@@ -24,13 +24,14 @@ Tree TreeWriter::write_value(const Value& value, const std::string& path) const 
           {}};
 }
 
-Tree TreeWriter::write_tensor(const SymmetricTensor& tensor, const std::string& path) const {
+Tree TreeWriter::write_tensor(const SymmetricTensor& tensor, const Key& key,
+                              const std::string& path) const {
   if (tensor.is_scalar()) {
-    return write_number(tensor[0], path);
+    return write_number(tensor[0], key, path);
   }
   Tree::Array components;
   for (int k = 0; k < 6; ++k) {
-    components.push_back(write_number(tensor[k], path));
+    components.push_back(write_number(tensor[k], key, path));
   }
   return {std::move(components), {}};
 }

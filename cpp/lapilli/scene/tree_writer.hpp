@@ -37,9 +37,9 @@ class TreeWriter {
  private:
   template <class T>
   Tree write_list(const std::vector<T>& list, const Key& key, const std::string& path) const;
-  Tree write_number(double number, const std::string& path) const;
-  Tree write_value(const Value& value, const std::string& path) const;
-  Tree write_tensor(const SymmetricTensor& tensor, const std::string& path) const;
+  Tree write_number(double number, const Key& key, const std::string& path) const;
+  Tree write_value(const Value& value, const Key& key, const std::string& path) const;
+  Tree write_tensor(const SymmetricTensor& tensor, const Key& key, const std::string& path) const;
   Tree no_file_form(const std::string& path, const char* what) const;
 
   Members members_;
@@ -51,15 +51,15 @@ Tree TreeWriter::write(const T& member, const Key& key, const std::string& path)
   if constexpr (std::is_same_v<T, bool>) {
     return {member, {}};
   } else if constexpr (std::is_same_v<T, double>) {
-    return write_number(member, path);
+    return write_number(member, key, path);
   } else if constexpr (std::is_integral_v<T>) {
     return {static_cast<Index>(member), {}};
   } else if constexpr (std::is_same_v<T, std::string>) {
     return {member, {}};
   } else if constexpr (std::is_same_v<T, Value>) {
-    return write_value(member, path);
+    return write_value(member, key, path);
   } else if constexpr (std::is_same_v<T, SymmetricTensor>) {
-    return write_tensor(member, path);
+    return write_tensor(member, key, path);
   } else if constexpr (Named<T>) {
     return {std::string(name_of(member)), {}};
   } else if constexpr (is_optional<T>) {

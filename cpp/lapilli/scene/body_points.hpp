@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lapilli/geometry/fill.hpp"
+#include "lapilli/scene/scene.hpp"
+
+namespace lapilli {
+
+/// The dimension of a scene: how many numbers grid.lower has.
+int dimension_of(const Scene& scene);
+
+/// The shape of a body where it stands, rotation and translation included; none for bodies that are
+/// not given by a shape.
+std::optional<Shape> placed_shape(const Body& body);
+
+/// The points of every body, turned and moved to their places. Throws std::invalid_argument with
+/// the place in the scene file for bodies that are empty, reach out of the grid or overlap.
+std::vector<FilledPoints> fill_bodies(const Scene& scene);
+
+}  // namespace lapilli

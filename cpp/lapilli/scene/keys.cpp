@@ -1,0 +1,167 @@
+#include "lapilli/scene/keys.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "lapilli/core/allowed.hpp"
+#include "lapilli/scene/emit.hpp"
+#include "lapilli/scene/scene.hpp"
+#include "lapilli/scene/tree_writer.hpp"
+
+namespace lapilli {
+namespace {
+
+// Writes one table for each struct it meets, once.
+class KeyTables {
+ public:
+  /// `heading` is the TOML spelling: "[grid]", "shape: annulus".
+  template <Described T>
+  void add(const std::string& heading, bool has_kind = false) {
+    if (std::find(done_.begin(), done_.end(), heading) != done_.end()) {
+      return;
+    }
+    done_.push_back(heading);
+    std::string table = "\n## `" + heading + "`\n\n";
+    table += "| key | type | unit | allowed | default | meaning |\n|---|---|---|---|---|---|\n";
+    if (has_kind) {
+      table += message("| `kind` | text | | `\"", kind_word(heading), "\"` | required | |\n");
+    }
+    const T defaults{};
+    auto row = [&](const Key& key, const auto& member) { table += row_of(key, member); };
+    T::describe(defaults, row);
+    text_ += table;
+    auto deeper = [&](const Key& key, const auto& member) { follow(key, member, heading); };
+    T::describe(defaults, deeper);
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  static std::string kind_word(const std::string& heading) {
+    return heading.substr(heading.rfind(' ') + 1);
+  }
+
+  template <class T>
+  static std::string type_of(const T& member, const Key& key) {
+    if constexpr (std::is_same_v<T, bool>) {
+      return "true or false";
+    } else if constexpr (std::is_same_v<T, double>) {
+      return "number";
+    } else if constexpr (std::is_integral_v<T>) {
+      return "whole number";
+    } else if constexpr (std::is_same_v<T, std::string> || Named<T>) {
+      return "text";
+    } else if constexpr (std::is_same_v<T, Value>) {
+      return "number or `{times, values}`";
+    } else if constexpr (std::is_same_v<T, SymmetricTensor>) {
+      return "number or 6 numbers";
+    } else if constexpr (is_optional<T>) {
+      const std::string word =
+          *key.absent_word ? message(" or `\"", key.absent_word, "\"`") : std::string();
+      return type_of(typename T::value_type{}, key) + word;
+    } else if constexpr (is_vector<T>) {
+      const std::string inner = type_of(typename T::value_type{}, key);
+      return key.single_allowed ? inner + " or list" : "list of " + inner;
+    } else if constexpr (Indirect<T>) {
+      return type_of(Held<T>{}, key);
+    } else if constexpr (Kinded<T>) {
+      return "table with `kind`";
+    } else if constexpr (Described<T>) {
+      return "table";
+    } else {
+      static_cast<void>(member);
+      return "from a program only";
+    }
+  }
+
+  template <class T>
+  static std::string choices_of(const T&, const Key& key) {
+    std::string words;
+    if constexpr (is_optional<T>) {
+      return choices_of(typename T::value_type{}, key);
+    } else if constexpr (Named<T>) {
+      for (const auto& [value, name] : Names<T>::values) {
+        words += message(words.empty() ? "" : ", ", "`\"", name, "\"`");
+      }
+      return words;
+    } else {
+      Key without_unit = key;
+      without_unit.of_unit = "";
+      return allowed_range(without_unit);
+    }
+  }
+
+  template <class T>
+  static std::string default_of(const T& member, const Key& key) {
+    if (key.is_required) {
+      return "required";
+    }
+    const Tree tree = TreeWriter(Members::all, InMemory::named).write(member, key, key.name);
+    if (tree.is_absent() || tree.table()) {
+      return "";
+    }
+    std::string line = emit_toml({Tree::Table{{"x", {}, tree}}, {}});
+    line = line.substr(4, line.size() - 5);
+    return line == "\"\"" || line == "[]" ? "" : message("`", line, "`");
+  }
+
+  template <class T>
+  static std::string row_of(const Key& key, const T& member) {
+    return message("| `", key.name, "` | ", type_of(member, key), " | ", key.of_unit, " | ",
+                   choices_of(member, key), " | ", default_of(member, key), " | ", key.meaning,
+                   " |\n");
+  }
+
+  // Headings: "[grid]", "[[bodies]]", "[heat]", "[[heat.boundaries]] convection", "shape annulus".
+  template <class T>
+  void follow(const Key& key, const T&, const std::string& heading) {
+    if constexpr (is_optional<T>) {
+      follow(key, typename T::value_type{}, heading);
+    } else if constexpr (is_vector<T>) {
+      if constexpr (Kinded<typename T::value_type> && !key_is_shape<typename T::value_type>) {
+        follow_kinds<typename T::value_type>(key.single_allowed ? key.name
+                                                                : list_heading(key, heading));
+      } else if constexpr (Described<typename T::value_type>) {
+        add<typename T::value_type>(list_heading(key, heading));
+      } else {
+        follow(key, typename T::value_type{}, heading);
+      }
+    } else if constexpr (Indirect<T>) {
+      follow(key, Held<T>{}, heading);
+    } else if constexpr (Kinded<T>) {
+      follow_kinds<T>(key_is_shape<T> ? "shape" : key.name);
+    } else if constexpr (Described<T>) {
+      add<T>(message("[", key.name, "]"));
+    }
+  }
+
+  template <class T>
+  static constexpr bool key_is_shape = std::is_same_v<T, Shape>;
+
+  static std::string list_heading(const Key& key, const std::string& heading) {
+    const bool inside = heading.size() > 2 && heading.front() == '[';
+    return message("[[", inside ? heading.substr(1, heading.size() - 2) : "", inside ? "." : "",
+                   key.name, "]]");
+  }
+
+  template <Kinded T>
+  void follow_kinds(const std::string& name) {
+    for_each_kind<T>([&](auto type) {
+      using Alternative = typename decltype(type)::type;
+      add<Alternative>(message(name, " ", Alternative::kind), true);
+    });
+  }
+
+  std::vector<std::string> done_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string keys_as_markdown() {
+  KeyTables tables;
+  tables.add<Scene>("top of the file");
+  return message("# Keys of a scene file\n", tables.text());
+}
+
+}  // namespace lapilli

@@ -1,0 +1,158 @@
+#include "lapilli/scene/validate.hpp"
+
+#include <cmath>
+
+#include "lapilli/core/allowed.hpp"
+#include "lapilli/scene/body_points.hpp"
+#include "lapilli/scene/member_types.hpp"
+#include "lapilli/scene/place_errors.hpp"
+
+namespace lapilli {
+namespace {
+
+// Every number again: scenes made in a program have passed no reader.
+class RangeCheck {
+ public:
+  explicit RangeCheck(const Scene& scene) : scene_(scene) {}
+
+  template <class T>
+  void check(const T& member, const Key& key, const std::string& path) const {
+    if constexpr (std::is_same_v<T, double> ||
+                  (std::is_integral_v<T> && !std::is_same_v<T, bool>)) {
+      check_number(static_cast<double>(member), key, path);
+    } else if constexpr (std::is_same_v<T, Value>) {
+      check_value(member, key, path);
+    } else if constexpr (is_optional<T>) {
+      if (member) {
+        check(*member, key, path);
+      }
+    } else if constexpr (is_vector<T>) {
+      check_list(member, key, path);
+    } else if constexpr (Indirect<T>) {
+      require_at(!member.empty() || !key.is_required, scene_, path, "is missing");
+      if (!member.empty()) {
+        check(*member, key, path);
+      }
+    } else if constexpr (Kinded<T>) {
+      std::visit([&](const auto& alternative) { check(alternative, key, path); },
+                 variant_of(member));
+    } else if constexpr (Described<T>) {
+      auto each = [&](const Key& inner, const auto& part) {
+        check(part, inner, joined_path(path, inner.name));
+      };
+      T::describe(member, each);
+    }
+  }
+
+ private:
+  void check_number(double number, const Key& key, const std::string& path) const {
+    const bool usable = std::isfinite(number) || (key.infinity_allowed && std::isinf(number));
+    const std::string range = allowed_range(key);
+    require_at(
+        usable && number <= key.most && (key.open ? number > key.least : number >= key.least),
+        scene_, path, "must be ", range.empty() ? "a finite number" : range, ", got ", number);
+  }
+
+  void check_value(const Value& value, const Key& key, const std::string& path) const {
+    if (const auto* in_time = std::get_if<Table>(&value.form())) {
+      require_at(!in_time->times.empty() && in_time->times.size() == in_time->values.size(), scene_,
+                 path, "needs as many values as times, at least one");
+      for (std::size_t k = 0; k < in_time->times.size(); ++k) {
+        check_number(in_time->values[k], key, path);
+        require_at(std::isfinite(in_time->times[k]) &&
+                       (k == 0 || in_time->times[k] > in_time->times[k - 1]),
+                   scene_, path, "has times that do not increase");
+      }
+    } else if (value.is_constant()) {
+      check_number(value.at(0.0), key, path);
+    }
+  }
+
+  template <class T>
+  void check_list(const std::vector<T>& list, const Key& key, const std::string& path) const {
+    const auto count = static_cast<Index>(list.size());
+    require_at(count >= key.shortest && count <= key.longest, scene_, path, "must hold at least ",
+               key.shortest, " entries and at most ", key.longest, ", got ", count);
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      check(list[k], key, joined_path(path, std::to_string(k)));
+    }
+  }
+
+  const Scene& scene_;
+};
+
+void check_grid(const Scene& scene) {
+  const std::size_t dimension = scene.grid.lower.size();
+  require_at(scene.grid.upper.size() == dimension, scene, "grid.upper",
+             "must have as many numbers as grid.lower, ", dimension, ", got ",
+             scene.grid.upper.size());
+  for (std::size_t axis = 0; axis < dimension; ++axis) {
+    require_at(scene.grid.upper[axis] > scene.grid.lower[axis], scene, "grid.upper",
+               "must be above grid.lower, got ", scene.grid.lower[axis], " and ",
+               scene.grid.upper[axis], " along axis ", axis);
+  }
+}
+
+// Empty lists stand for zeros.
+void check_dimension(const Scene& scene, const std::vector<double>& list, const std::string& path) {
+  require_at(list.empty() || list.size() == scene.grid.lower.size(), scene, path, "must have ",
+             scene.grid.lower.size(), " numbers, as many as the grid has dimensions, got ",
+             list.size());
+}
+
+void check_axis(const Scene& scene, const std::vector<double>& axis, const std::string& path) {
+  require_at(place(axis).norm() > 0.0, scene, path, "must have a length above 0");
+}
+
+void check_motion(const Scene& scene, const Motion& motion, const std::string& path) {
+  if (const auto* turn = std::get_if<RotationMotion>(&motion)) {
+    require_at(dimension_of(scene) > 1, scene, path, "cannot turn a body in one dimension");
+    check_dimension(scene, turn->center, path + ".center");
+    check_axis(scene, turn->axis, path + ".axis");
+  } else {
+    check_dimension(scene, std::get<TranslationMotion>(motion).velocity, path + ".velocity");
+  }
+}
+
+void check_body(const Scene& scene, const Body& body, const std::string& path) {
+  check_dimension(scene, body.rotation_center, path + ".rotation_center");
+  check_dimension(scene, body.translation, path + ".translation");
+  check_dimension(scene, body.velocity, path + ".velocity");
+  check_axis(scene, body.rotation_axis, path + ".rotation_axis");
+  require_at(body.rotation == 0.0 || dimension_of(scene) > 1, scene, path + ".rotation",
+             "cannot turn a body in one dimension");
+  if (body.motion) {
+    check_motion(scene, *body.motion, path + ".motion");
+  }
+  int thermal = 0;
+  for (const Material& material : body.material) {
+    at_place(scene, path + ".material",
+             [&] { std::visit([](const auto& known) { check(known); }, material); });
+    thermal += std::holds_alternative<Thermal>(material);
+  }
+  require_at(thermal <= 1, scene, path + ".material", "has ", thermal, " thermal materials");
+  require_at(!scene.heat || thermal == 1, scene, path + ".material",
+             "has no thermal material, which [heat] needs");
+}
+
+void check_time(const Scene& scene) {
+  require_at(!scene.time.step || !scene.time.steps, scene, "time.steps",
+             "contradicts time.step: give one of them");
+  require_at(!scene.output.every || !scene.output.every_steps, scene, "output.every_steps",
+             "contradicts output.every: give one of them");
+  require_at(scene.output.path.empty() || scene.output.path.ends_with(".vtkhdf"), scene,
+             "output.path", "must end in .vtkhdf, got ", scene.output.path);
+}
+
+}  // namespace
+
+void validate(const Scene& scene) {
+  RangeCheck(scene).check(scene, Key(""), "");
+  check_grid(scene);
+  check_time(scene);
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    check_body(scene, scene.bodies[k], message("bodies.", k));
+  }
+}
+
+}  // namespace lapilli
