@@ -7,7 +7,7 @@ the square of Yu & Zhao 2026, section 4.4 (whose "side 5 m" is the HALF side), f
 states no solution. Series for late times, sums of semi-infinite solutions for early ones; both are
 exact to rounding where they meet.
 
-Also the slab with two prescribed faces (Crank 1975, Mathematics of Diffusion, Eq. 4.17), the
+Also the slab with two prescribed faces (Crank 1975, Mathematics of Diffusion, section 4.3), the
 conduction case of Yang et al., multi-horizon peridynamics, Eq. 41 (where the exponent reads
 rho_c^2 for rho c).
 """
