@@ -13,51 +13,26 @@ hid_t type_of(const Column& column) {
   return column.is_index ? hdf5_type<Index>() : hdf5_type<double>();
 }
 
-void write_topology(hid_t file, Index points) {
-  const Hdf5Id group = hdf5_group(file, "Vertices");
-  std::vector<Index> count(static_cast<std::size_t>(points) + 1);
-  std::iota(count.begin(), count.end(), Index{0});
-  hdf5_write<Index>(group, "Offsets", count);
-  hdf5_write<Index>(group, "Connectivity", std::span(count).first(count.size() - 1));
-}
+}  // namespace
 
-void lay_out(const std::filesystem::path& path, const std::vector<Column>& columns, Index points,
-             Index capacity, bool with_topology) {
-  Hdf5Id file = hdf5_create(path);
-  if (with_topology) {
-    write_topology(file, points);
-  }
-  {
+FrameData FrameData::create(const std::filesystem::path& path, const std::vector<Column>& columns,
+                            Index points, Index capacity, bool with_topology) {
+  hdf5_create_whole(path, [&](hid_t file) {
+    if (with_topology) {
+      write_topology(hdf5_group(file, "Vertices"), points);
+    }
     const Hdf5Id point_data = hdf5_group(file, "PointData");
     for (const Column& column : columns) {
       const Hdf5Id dataset =
           hdf5_dataset(file, column.name, type_of(column), capacity * points, column.components);
       hdf5_attribute(dataset, "unit", column.unit);
     }
-  }
-  file.close();
-}
-
-}  // namespace
-
-FrameData FrameData::create(const std::filesystem::path& path, const std::vector<Column>& columns,
-                            Index points, Index capacity, bool with_topology) {
-  const std::filesystem::path temporary = with_ending(path, ".tmp");
-  try {
-    File(temporary, File::Mode::create);  // says plainly why a file cannot be made
-    lay_out(temporary, columns, points, capacity, with_topology);
-    File(temporary, File::Mode::update).sync();
-    rename_durably(temporary, path);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw;
-  }
-  return open(path, columns, points, capacity);
+  });
+  return open(path, columns, points, capacity, File::Mode::update);
 }
 
 FrameData FrameData::open(const std::filesystem::path& path, const std::vector<Column>& columns,
-                          Index points, Index capacity) {
+                          Index points, Index capacity, File::Mode mode) {
   std::vector<std::int64_t> addresses, words;
   const Hdf5Id file = hdf5_open(path);
   for (const Column& column : columns) {
@@ -74,7 +49,7 @@ FrameData FrameData::open(const std::filesystem::path& path, const std::vector<C
     addresses.push_back(static_cast<std::int64_t>(address));
     words.push_back(points * column.components);
   }
-  return FrameData(File(path, File::Mode::update), std::move(addresses), std::move(words));
+  return FrameData(File(path, mode), std::move(addresses), std::move(words));
 }
 
 void FrameData::write(std::size_t column, Index slot, const Words& words) {
@@ -86,6 +61,13 @@ Words FrameData::read(std::size_t column, Index slot) const {
   file_.read_at(addresses_[column] + slot * words_[column] * 8,
                 std::as_writable_bytes(std::span(words)));
   return words;
+}
+
+void write_topology(std::int64_t group, Index points) {
+  std::vector<Index> count(static_cast<std::size_t>(points) + 1);
+  std::iota(count.begin(), count.end(), Index{0});
+  hdf5_write<Index>(group, "Offsets", count);
+  hdf5_write<Index>(group, "Connectivity", std::span(count).first(count.size() - 1));
 }
 
 }  // namespace lapilli

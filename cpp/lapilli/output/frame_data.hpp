@@ -17,9 +17,9 @@ class FrameData {
   /// topology: every point is a vertex.
   static FrameData create(const std::filesystem::path& path, const std::vector<Column>& columns,
                           Index points, Index capacity, bool with_topology);
-  /// Open a file made by `create` to write on. Throws OutputError when it does not fit.
+  /// Open a file made by `create`. Throws OutputError when it does not fit.
   static FrameData open(const std::filesystem::path& path, const std::vector<Column>& columns,
-                        Index points, Index capacity);
+                        Index points, Index capacity, File::Mode mode);
 
   /// Write or read the rows of one column in one slot (0 .. capacity-1).
   void write(std::size_t column, Index slot, const Words& words);
@@ -34,5 +34,8 @@ class FrameData {
   std::vector<std::int64_t> addresses_;  // byte where each column begins
   std::vector<std::int64_t> words_;      // numbers a frame of each column
 };
+
+/// Write the cells of `points` points into the HDF5 group Vertices: each is one vertex.
+void write_topology(std::int64_t group, Index points);
 
 }  // namespace lapilli

@@ -148,6 +148,14 @@ Index FrameIndex::next_slot(std::size_t column) const {
   return used.empty() ? 0 : *std::max_element(used.begin(), used.end()) + 1;
 }
 
+std::pair<std::size_t, Index> FrameIndex::place(Index slot) const {
+  std::size_t file = 0;
+  while (slot >= capacities[file]) {
+    slot -= capacities[file++];
+  }
+  return {file, slot};
+}
+
 std::filesystem::path data_path(const std::filesystem::path& index_path, std::size_t file) {
   return with_ending(index_path, ".data" + (file == 0 ? std::string() : std::to_string(file)));
 }
@@ -200,6 +208,8 @@ FrameIndex read_index(const std::filesystem::path& path) {
   const std::vector<Index> points = hdf5_read<Index>(group, "NumberOfPoints");
   index.columns = parse_layout(hdf5_read_text_attribute(own, "columns"));
   index.capacities = hdf5_read_attribute<Index>(own, "capacities");
+  require(index.capacity() > 0, "'", path.string(),
+          "' was merged into one file: it can be looked at, not gone on with");
   index.times = hdf5_read<double>(group, "Steps/Values");
   require(points.size() == 1 && points[0] > 0, "'", path.string(), "' is damaged: no points");
   index.points = points[0];

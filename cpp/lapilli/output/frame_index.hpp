@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lapilli/output/frame_column.hpp"
@@ -24,6 +25,8 @@ struct FrameIndex {
   void cut(Index frames);
   /// First slot of a column that no frame uses.
   Index next_slot(std::size_t column) const;
+  /// Which data file holds a slot, and as its how-manieth.
+  std::pair<std::size_t, Index> place(Index slot) const;
 };
 
 /// The data files of an index: run.vtkhdf.data, then run.vtkhdf.data1, ...
@@ -38,7 +41,8 @@ void write_index(const std::filesystem::path& path, const FrameIndex& index);
 /// std::invalid_argument when lapilli did not write it.
 FrameIndex read_index(const std::filesystem::path& path);
 
-/// Write the group VTKHDF except for the numbers of the points (shared with `merge`).
+/// Write the group VTKHDF except for the numbers of the points (shared with `merge`; no
+/// capacity says that the numbers are in the same file).
 void write_index_group(std::int64_t file, const FrameIndex& index);
 
 }  // namespace lapilli

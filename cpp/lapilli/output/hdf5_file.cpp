@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/output/file.hpp"
 #include "lapilli/output/output_error.hpp"
 
 namespace lapilli {
@@ -100,6 +101,22 @@ Hdf5Id hdf5_create(const std::filesystem::path& path) {
                 "create '" + path.string() + "'");
 }
 
+void hdf5_create_whole(const std::filesystem::path& path, const std::function<void(hid_t)>& fill) {
+  const std::filesystem::path temporary = with_ending(path, ".tmp");
+  File(temporary, File::Mode::create);  // says plainly why a file cannot be made
+  try {
+    Hdf5Id file = hdf5_create(temporary);
+    fill(file);
+    file.close();
+    File(temporary, File::Mode::update).sync();
+    rename_durably(temporary, path);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw;
+  }
+}
+
 Hdf5Id hdf5_create_in_memory() {
   const Hdf5Id access = property_list(H5P_FILE_ACCESS);
   hdf5_check(H5Pset_fapl_core(access, 1 << 16, false), "make an HDF5 file in memory");
@@ -158,6 +175,17 @@ void hdf5_write(hid_t parent, const std::string& name, std::span<const T> values
     hdf5_check(H5Dwrite(dataset, hdf5_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
                "write dataset " + name);
   }
+}
+
+void hdf5_write_rows(hid_t dataset, hid_t type, Index begin, Index rows, int components,
+                     const void* numbers) {
+  const hsize_t start[2] = {static_cast<hsize_t>(begin), 0};
+  const hsize_t size[2] = {static_cast<hsize_t>(rows), static_cast<hsize_t>(components)};
+  const Hdf5Id memory = space_of(rows, components);
+  const Hdf5Id on_disk(H5Dget_space(dataset), H5Sclose, "write rows");
+  hdf5_check(H5Sselect_hyperslab(on_disk, H5S_SELECT_SET, start, nullptr, size, nullptr),
+             "write rows");
+  hdf5_check(H5Dwrite(dataset, type, memory, on_disk, H5P_DEFAULT, numbers), "write rows");
 }
 
 template <class T>

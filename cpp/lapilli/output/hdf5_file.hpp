@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,6 +52,9 @@ class Hdf5Quiet {
 void hdf5_check(herr_t status, const std::string& action);
 
 Hdf5Id hdf5_create(const std::filesystem::path& path);
+/// Make a file by `fill`, all at once: it appears under its name complete and on the disk, or not
+/// at all.
+void hdf5_create_whole(const std::filesystem::path& path, const std::function<void(hid_t)>& fill);
 /// A file that lives in memory; `hdf5_image` gives its bytes.
 Hdf5Id hdf5_create_in_memory();
 Hdf5Id hdf5_open(const std::filesystem::path& path);
@@ -67,6 +71,9 @@ Hdf5Id hdf5_dataset(hid_t parent, const std::string& name, hid_t type, Index row
 template <class T>
 void hdf5_write(hid_t parent, const std::string& name, std::span<const T> values,
                 int components = 1);
+/// Write some rows, eight bytes a number, of a dataset that exists.
+void hdf5_write_rows(hid_t dataset, hid_t type, Index begin, Index rows, int components,
+                     const void* numbers);
 template <class T>
 std::vector<T> hdf5_read(hid_t parent, const std::string& name);
 bool hdf5_exists(hid_t parent, const std::string& name);

@@ -11,16 +11,11 @@ namespace {
 
 constexpr Index first_room = 64;  // frames, when their number is not known
 
-void check_name(const std::filesystem::path& path) {
-  require(path.extension() == ".vtkhdf", "the output of frames must end in .vtkhdf, got '",
-          path.string(), "'");
-}
-
 }  // namespace
 
 VtkhdfWriter::VtkhdfWriter(std::filesystem::path path, Index planned_frames)
     : path_(std::move(path)), planned_frames_(planned_frames) {
-  check_name(path_);
+  check_frames_path(path_);
   std::error_code ignored;  // creating the first file says why a folder cannot be used
   std::filesystem::create_directories(path_.parent_path(), ignored);
   remove_frames(path_);
@@ -28,7 +23,7 @@ VtkhdfWriter::VtkhdfWriter(std::filesystem::path path, Index planned_frames)
 
 VtkhdfWriter VtkhdfWriter::resume(const std::filesystem::path& path, Index frames,
                                   Index planned_frames) {
-  check_name(path);
+  check_frames_path(path);
   VtkhdfWriter writer;
   writer.path_ = path;
   writer.planned_frames_ = planned_frames;
@@ -41,13 +36,10 @@ VtkhdfWriter VtkhdfWriter::resume(const std::filesystem::path& path, Index frame
   require(frames <= index.frames(), "cannot go on after frame ", frames, " of '", path.string(),
           "': it holds ", index.frames());
   const Hdf5Quiet quiet;
-  for (std::size_t file = 0; file < index.capacities.size(); ++file) {
-    writer.data_.push_back(FrameData::open(data_path(path, file), index.columns, index.points,
-                                           index.capacities[file]));
-  }
+  writer.data_ = open_data(path, index, File::Mode::update);
   index.cut(frames);
   for (std::size_t column = 0; column < index.columns.size(); ++column) {
-    const auto [file, slot] = writer.place(index.slots[column].back());
+    const auto [file, slot] = index.place(index.slots[column].back());
     writer.last_.push_back(index.columns[column].may_rest ? writer.data_[file].read(column, slot)
                                                           : Words());
   }
@@ -116,14 +108,6 @@ void VtkhdfWriter::make_room(Index slot) {
   }
 }
 
-std::pair<std::size_t, Index> VtkhdfWriter::place(Index slot) const {
-  std::size_t file = 0;
-  while (slot >= index_.capacities[file]) {
-    slot -= index_.capacities[file++];
-  }
-  return {file, slot};
-}
-
 /// The slot that holds `words`: a new one, or the last one when nothing changed.
 Index VtkhdfWriter::store(std::size_t column, const Words& words) {
   const Index slot = index_.next_slot(column);
@@ -131,9 +115,24 @@ Index VtkhdfWriter::store(std::size_t column, const Words& words) {
     return index_.slots[column].back();
   }
   make_room(slot);
-  const auto [file, place_in_file] = place(slot);
+  const auto [file, place_in_file] = index_.place(slot);
   data_[file].write(column, place_in_file, words);
   return slot;
+}
+
+void check_frames_path(const std::filesystem::path& path) {
+  require(path.extension() == ".vtkhdf", "the output of frames must end in .vtkhdf, got '",
+          path.string(), "'");
+}
+
+std::vector<FrameData> open_data(const std::filesystem::path& path, const FrameIndex& index,
+                                 File::Mode mode) {
+  std::vector<FrameData> data;
+  for (std::size_t file = 0; file < index.capacities.size(); ++file) {
+    data.push_back(FrameData::open(data_path(path, file), index.columns, index.points,
+                                   index.capacities[file], mode));
+  }
+  return data;
 }
 
 void remove_frames(const std::filesystem::path& path) {

@@ -40,7 +40,6 @@ class VtkhdfWriter {
   void check_same(const std::vector<FrameColumn>& frame, Index points) const;
   void make_room(Index slot);
   Index store(std::size_t column, const Words& words);
-  std::pair<std::size_t, Index> place(Index slot) const;
 
   std::filesystem::path path_;
   Index planned_frames_ = 0;
@@ -48,6 +47,13 @@ class VtkhdfWriter {
   std::vector<FrameData> data_;
   std::vector<Words> last_;  // of columns that may rest
 };
+
+/// Throw std::invalid_argument unless the name ends in .vtkhdf.
+void check_frames_path(const std::filesystem::path& path);
+
+/// Open the data files of an index.
+std::vector<FrameData> open_data(const std::filesystem::path& path, const FrameIndex& index,
+                                 File::Mode mode);
 
 /// Remove a series of frames, index first; nothing happens where there is none.
 void remove_frames(const std::filesystem::path& path);
