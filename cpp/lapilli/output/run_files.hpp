@@ -1,0 +1,57 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "lapilli/core/simulation.hpp"
+#include "lapilli/output/frame_schedule.hpp"
+#include "lapilli/output/run_options.hpp"
+#include "lapilli/output/run_record.hpp"
+#include "lapilli/output/vtkhdf_writer.hpp"
+
+namespace lapilli {
+
+/// The files of one run: frames, checkpoint, record. Without an output path it writes nothing.
+class RunFiles {
+ public:
+  /// Options and schedule must outlive it.
+  RunFiles(Simulation& simulation, const RunOptions& options, const FrameSchedule& schedule);
+
+  /// Start new files with the state of now.
+  void begin();
+  /// Bring simulation, statistics and frames back to the checkpoint.
+  void resume(RunStatistics& statistics);
+  /// Write what is due after a step.
+  void after_step(const RunStatistics& statistics);
+  /// Write the state at which the run stops, whether or not it was due.
+  void stop(const RunStatistics& statistics);
+  void write_record(const char* status, const RunStatistics& statistics,
+                    const std::string& message = "");
+
+  bool is_writing() const { return !options_.output.empty(); }
+  Index frames() const { return writer_ ? writer_->frames() : 0; }
+  /// Where the last frame is, as the end of a message; empty when there is none.
+  std::string last_frame() const;
+
+ private:
+  bool has_frame_of_now() const {
+    return writer_->frames() > 0 && writer_->times().back() == simulation_.time();
+  }
+  void write_frame(bool keep);
+  void write_checkpoint(const RunStatistics& statistics);
+
+  Simulation& simulation_;
+  const RunOptions& options_;
+  const FrameSchedule& schedule_;
+  RunRecord record_;
+  std::optional<VtkhdfWriter> writer_;
+  Index kept_frames_ = 0;  // those that a resumed run does not write again
+  std::chrono::steady_clock::time_point checkpointed_ = std::chrono::steady_clock::now();
+};
+
+/// Files beside the frames: run.vtkhdf -> run.checkpoint, run.json.
+std::filesystem::path checkpoint_path(const std::filesystem::path& output);
+std::filesystem::path record_path(const std::filesystem::path& output);
+
+}  // namespace lapilli

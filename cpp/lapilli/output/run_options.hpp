@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "lapilli/core/vector.hpp"
+
+namespace lapilli {
+
+/// How far a run has come.
+struct Progress {
+  double fraction = 0.0;         // of the time to simulate, 0 .. 1
+  double time = 0.0;             // s, simulated
+  double step_size = 0.0;        // s, of the last step
+  Index step = 0;                // steps since the start
+  Index points = 0;              //
+  double seconds_elapsed = 0.0;  // of wall time
+  double seconds_left = 0.0;     // of wall time, estimated; NaN while unknown
+};
+
+/// How to run a simulation and what to leave on disk. Beside the frames `run.vtkhdf` come
+/// `run.checkpoint` and the record `run.json`.
+struct RunOptions {
+  std::filesystem::path output;              // ends in .vtkhdf; empty: nothing is written
+  double frame_interval = 0.0;               // s between frames; 0: the first and the last only
+  Index frame_steps = 0;                     // steps between frames, instead of an interval
+  bool checkpoint = true;                    // keep a state to resume from
+  double checkpoint_interval_seconds = 0.0;  // s of wall time; 0: with every frame
+  bool resume = false;                       // go on from the checkpoint
+  std::string scene_text;                    // TOML, for the record
+  std::string settings;                      // all settings as a JSON object, for the record
+  std::string fingerprint;                   // of the scene; empty: taken from scene_text
+  std::function<void(const Progress&)> progress;  // at the start, ten times a second, at the end
+  std::function<bool()> interrupted;              // asked after every step; true stops the run
+};
+
+}  // namespace lapilli

@@ -1,0 +1,151 @@
+#include "lapilli/output/run_record.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "lapilli/core/parallel.hpp"
+#include "lapilli/output/file.hpp"
+#include "lapilli/output/json.hpp"
+
+namespace lapilli {
+namespace {
+
+#if defined(__clang__)
+constexpr const char* compiler = "clang " __VERSION__;
+#else
+constexpr const char* compiler = "g++ " __VERSION__;
+#endif
+
+rusage usage() {
+  rusage used = {};
+  getrusage(RUSAGE_SELF, &used);
+  return used;
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+void write_steps(JsonWriter& json, const RunStatistics& statistics, const Simulation& simulation) {
+  const double rate = static_cast<double>(statistics.steps * simulation.points().size());
+  const bool stepped = simulation.step_index() > 0;
+  json.member("points", simulation.points().size());
+  json.member("dimension", simulation.points().dimension());
+  json.member("time", simulation.time());
+  json.member("end", simulation.end());
+  json.member("steps", simulation.step_index());
+  json.member("steps_since_resume", statistics.steps);
+  json.member("smallest_step", stepped ? statistics.smallest_step : 0.0);
+  json.member("largest_step", statistics.largest_step);
+  json.member("iterations", statistics.iterations);
+  json.member("largest_residual", statistics.largest_residual);
+  json.member("wall_seconds", statistics.wall_seconds);
+  json.member("cpu_seconds", statistics.cpu_seconds);
+  json.member("point_steps_per_second",
+              statistics.wall_seconds > 0.0 ? rate / statistics.wall_seconds : 0.0);
+  json.member("peak_memory_bytes", peak_memory());
+}
+
+void write_ledger(JsonWriter& json, const Ledger& ledger) {
+  json.begin_object();
+  json.member("quantity", ledger.quantity);
+  json.member("unit", ledger.unit);
+  json.member("initial", ledger.initial);
+  json.member("stored", ledger.stored);
+  json.key("entries").begin_array();
+  for (const Ledger::Entry& entry : ledger.entries) {
+    json.begin_object();
+    json.member("name", entry.name);
+    json.member("in", entry.in);
+    json.end_object();
+  }
+  json.end_array();
+  json.member("taken_in", ledger.taken_in());
+  json.member("residual", ledger.residual());
+  json.end_object();
+}
+
+void write_physics(JsonWriter& json, const Physics& physics) {
+  json.begin_object();
+  json.member("name", physics.name());
+  json.key("ledgers").begin_array();
+  for (const Ledger& ledger : physics.ledgers()) {
+    write_ledger(json, ledger);
+  }
+  json.end_array();
+  json.key("diagnostics").begin_object();
+  for (const auto& [name, value] : physics.diagnostics()) {
+    json.member(name, value);
+  }
+  json.end_object();
+  json.end_object();
+}
+
+}  // namespace
+
+void RunStatistics::count(const StepReport& report) {
+  ++steps;
+  smallest_step = std::min(smallest_step, report.accepted);
+  largest_step = std::max(largest_step, report.accepted);
+  iterations += report.iterations;
+  largest_residual = std::max(largest_residual, report.residual);
+}
+
+void RunStatistics::save(Archive& archive) const {
+  archive.write("run/smallest_step", smallest_step);
+  archive.write("run/largest_step", largest_step);
+  archive.write("run/iterations", iterations);
+  archive.write("run/largest_residual", largest_residual);
+}
+
+void RunStatistics::load(const Archive& archive) {
+  smallest_step = archive.read_number("run/smallest_step");
+  largest_step = archive.read_number("run/largest_step");
+  iterations = archive.read_index("run/iterations");
+  largest_residual = archive.read_number("run/largest_residual");
+}
+
+void write_run_record(const std::filesystem::path& path, const RunRecord& record,
+                      const Simulation& simulation) {
+  JsonWriter json;
+  json.begin_object();
+  json.member("lapilli", LAPILLI_VERSION);
+  json.member("status", record.status);
+  json.member("message", record.message);
+  json.member("started", record.started);
+  json.member("written", utc_now());
+  json.member("compiler", compiler);
+  json.member("threads", thread_count());
+  json.member("frames_file", record.frames_file);
+  json.member("frames", record.frames);
+  write_steps(json, record.statistics, simulation);
+  json.key("physics").begin_array();
+  for (const auto& physics : simulation.physics()) {
+    write_physics(json, *physics);
+  }
+  json.end_array();
+  json.member("fingerprint", record.fingerprint);
+  json.key("settings").json(record.settings.empty() ? "null" : record.settings);
+  json.member("scene", record.scene_text);
+  json.end_object();
+  write_text(path, json.text() + "\n");
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts = {};
+  gmtime_r(&now, &parts);
+  char text[32];
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts)};
+}
+
+double cpu_seconds() {
+  const rusage used = usage();
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+Index peak_memory() { return Index{1024} * usage().ru_maxrss; }
+
+}  // namespace lapilli

@@ -1,0 +1,118 @@
+#include "lapilli/output/runner.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/output/frame_schedule.hpp"
+#include "lapilli/output/run_files.hpp"
+
+namespace lapilli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Tells the caller how far the run is, at most ten times a second.
+class ProgressReport {
+ public:
+  ProgressReport(const Simulation& simulation, const std::function<void(const Progress&)>& tell)
+      : simulation_(simulation), tell_(tell), first_fraction_(fraction()) {}
+
+  void tell(double step_size, bool always) {
+    if (!tell_ || (!always && seconds_since(told_) < 0.1)) {
+      return;
+    }
+    told_ = Clock::now();
+    const double elapsed = seconds_since(begin_), done = fraction();
+    const double left = elapsed * (1.0 - done) / (done - first_fraction_);
+    tell_({done, simulation_.time(), step_size, simulation_.step_index(),
+           simulation_.points().size(), elapsed, done > first_fraction_ ? left : std::nan("")});
+  }
+
+ private:
+  double fraction() const {
+    return simulation_.end() > 0.0 ? simulation_.time() / simulation_.end() : 1.0;
+  }
+
+  const Simulation& simulation_;
+  const std::function<void(const Progress&)>& tell_;
+  double first_fraction_;
+  Clock::time_point begin_ = Clock::now(), told_ = begin_;
+};
+
+/// Statistics of the run with the clocks read now.
+class Measure {
+ public:
+  RunStatistics& now() {
+    statistics_.wall_seconds = seconds_since(wall_);
+    statistics_.cpu_seconds = cpu_seconds() - cpu_;
+    return statistics_;
+  }
+
+ private:
+  RunStatistics statistics_;
+  Clock::time_point wall_ = Clock::now();
+  double cpu_ = cpu_seconds();
+};
+
+RunStatus step_to_end(Simulation& simulation, const RunOptions& options,
+                      const FrameSchedule& schedule, RunFiles& files, RunStatistics& statistics) {
+  ProgressReport progress(simulation, options.progress);
+  double size = 0.0;
+  progress.tell(size, true);
+  RunStatus status = RunStatus::finished;
+  while (simulation.time() < simulation.end()) {
+    const StepReport report = simulation.step(schedule.next_time(simulation.time()));
+    size = report.accepted;
+    statistics.count(report);
+    files.after_step(statistics);
+    progress.tell(size, false);
+    if (options.interrupted && options.interrupted()) {
+      status = RunStatus::interrupted;
+      break;
+    }
+  }
+  files.stop(statistics);
+  progress.tell(size, true);
+  return status;
+}
+
+/// Record a failure; a disk that fails here too must not hide the reason of the first failure.
+void record_failure(RunFiles& files, const RunStatistics& statistics, const std::string& reason) {
+  try {
+    files.write_record("failed", statistics, reason);
+  } catch (const std::exception&) {
+  }
+}
+
+}  // namespace
+
+RunSummary run(Simulation& simulation, const RunOptions& options) {
+  const FrameSchedule schedule(options.frame_interval, options.frame_steps, simulation.end());
+  RunFiles files(simulation, options, schedule);
+  require(files.is_writing() || !options.resume, "to resume a run give the output it wrote");
+  Measure measure;
+  if (options.resume) {
+    files.resume(measure.now());
+  } else if (files.is_writing()) {
+    files.begin();
+  }
+  try {
+    const RunStatus status = step_to_end(simulation, options, schedule, files, measure.now());
+    files.write_record(status == RunStatus::finished ? "finished" : "interrupted", measure.now());
+    return {status, simulation.time(), files.frames(), measure.now()};
+  } catch (const RunError& error) {
+    const std::string reason = error.what() + files.last_frame();
+    record_failure(files, measure.now(), reason);
+    throw RunError(reason);
+  } catch (const std::exception& error) {
+    record_failure(files, measure.now(), error.what());
+    throw;
+  }
+}
+
+}  // namespace lapilli
