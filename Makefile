@@ -11,6 +11,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 export CCACHE_BASEDIR := $(CURDIR)
 export CCACHE_NOHASHDIR := 1
 export NO_MKDOCS_2_WARNING := 1
+export LAPILLI_BUILD := $(CURDIR)/$(BUILD)
 
 .PHONY: help demo test verify bench extremes docs lint wheel stubs build clean
 

@@ -192,8 +192,6 @@ TEST_CASE("files of others are not taken for frames") {
   put_bytes(folder / "run.vtkhdf", "plain text");
   REQUIRE_THROWS_WITH(read_index(folder / "run.vtkhdf"), Catch::Contains("run.vtkhdf"));
   const auto path = folder / "other.vtkhdf";
-  {
-    const Hdf5Id file = hdf5_create(path);
-  }
+  { const Hdf5Id file = hdf5_create(path); }
   REQUIRE_THROWS_WITH(read_index(path), Catch::Contains("no frames of lapilli"));
 }
