@@ -71,9 +71,10 @@ void Points::attach(PointArray* array) { attached_.push_back(array); }
 
 void Points::detach(PointArray* array) { std::erase(attached_, array); }
 
-PointArray::PointArray(Points& points, int components, double value)
+PointArray::PointArray(Points& points, int components, double value, Kind kind)
     : points_(points),
       components_(components),
+      kind_(kind),
       values_(static_cast<std::size_t>(points.size() * components), value) {
   points_.attach(this);
 }

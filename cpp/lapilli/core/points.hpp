@@ -1,11 +1,11 @@
 #pragma once
 
-#include <functional>
-#include <memory>
+#include <Eigen/LU>
 #include <span>
 #include <vector>
 
 #include "lapilli/core/archive.hpp"
+#include "lapilli/core/parallel.hpp"
 #include "lapilli/core/vector.hpp"
 
 namespace lapilli {
@@ -40,6 +40,10 @@ class Points {
 
   /// Say that positions (or volumes) have changed. Weights built before are stale.
   void moved() { ++version_; }
+  /// The same, when the neighbourhood of row k was deformed by F = increment(k): carried gradients
+  /// follow, G <- F^-T G.
+  template <int Dim, class Increment>
+  void moved(const Increment& increment);
   Index version() const { return version_; }
 
   /// Re-order: new row k holds what was in row order[k]; attached arrays follow in place, so their
@@ -67,12 +71,17 @@ class Points {
 /// The points must outlive it, and be complete when it is made.
 class PointArray {
  public:
-  PointArray(Points& points, int components, double value = 0.0);
+  /// Whether rows are plain numbers or spatial gradients (`dimension` components) that turn and
+  /// stretch with the material.
+  enum class Kind { plain, gradient };
+
+  PointArray(Points& points, int components, double value = 0.0, Kind kind = Kind::plain);
   ~PointArray();
   PointArray(const PointArray&) = delete;
   PointArray& operator=(const PointArray&) = delete;
 
   int components() const { return components_; }
+  Kind kind() const { return kind_; }
   double* data() { return values_.data(); }
   const double* data() const { return values_.data(); }
   std::span<double> values() { return values_; }
@@ -83,7 +92,22 @@ class PointArray {
  private:
   Points& points_;
   int components_;
+  Kind kind_;
   std::vector<double> values_;
 };
+
+template <int Dim, class Increment>
+void Points::moved(const Increment& increment) {
+  for (PointArray* array : attached_) {
+    if (array->kind() == PointArray::Kind::gradient) {
+      parallel_for(size(), [&](Index row) {
+        Eigen::Map<Vec<Dim>> gradient(array->data() + row * Dim);
+        const Mat<Dim> deformation = increment(row);
+        gradient = Vec<Dim>(deformation.inverse().transpose() * gradient);
+      });
+    }
+  }
+  moved();
+}
 
 }  // namespace lapilli
