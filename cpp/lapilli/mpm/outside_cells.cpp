@@ -130,6 +130,9 @@ void OutsideCells<Dim>::start(const Points& points, const DistanceFunction& dist
         centre[axis] = grid_.origin()[axis] + (at[axis] + 0.5) * grid_.cell_size();
       }
       outside_[cell] = distance(centre) >= 0.0;
+    } else {
+      // Points alone: a void that survives the closing is one, smaller gaps are not.
+      outside_[cell] = closed_[cell] == 0;
     }
   }
   flood();

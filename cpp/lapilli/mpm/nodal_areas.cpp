@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/mpm/corner_fit.hpp"
+#include "lapilli/mpm/nodal_surface.hpp"
+
+namespace lapilli {
+namespace {
+
+/// One pass of 1/4, 1/2, 1/4 along every axis. Ends are zero: the grid is padded.
+template <int Dim>
+void smooth(const Grid<Dim>& grid, std::vector<double>& values, std::vector<double>& scratch) {
+  scratch.resize(values.size());
+  for (int axis = 0; axis < Dim; ++axis) {
+    const Index stride = grid.node_stride(axis), count = grid.node_count();
+    std::fill(scratch.begin(), scratch.begin() + stride, 0.0);
+    std::fill(scratch.end() - stride, scratch.end(), 0.0);
+    parallel_ranges(count - 2 * stride, [&](Index begin, Index end) {
+      const double* from = values.data();
+      double* to = scratch.data();
+      for (Index k = begin + stride; k < end + stride; ++k) {
+        to[k] = 0.5 * from[k] + 0.25 * (from[k - stride] + from[k + stride]);
+      }
+    });
+    values.swap(scratch);
+  }
+}
+
+/// The node moved along its normal to where the smoothed fraction is one half, at most 1.5 cells.
+template <int Dim>
+Vec3 projected(const Grid<Dim>& grid, Index node, const Vec<Dim>& normal, double fraction,
+               double slope) {
+  Vec3 position = Vec3::Zero();
+  double reach = 0.0;
+  if (slope > 0.0) {
+    reach = std::clamp((fraction - 0.5) / slope, -1.5, 1.5) * grid.cell_size();
+  }
+  position.template head<Dim>() = grid.node_position(node) + reach * normal;
+  return position;
+}
+
+}  // namespace
+
+template <int Dim>
+double NodalAreas<Dim>::negative_share() const {
+  double negative = 0.0, total = 0.0;
+  for (const double a : area) {
+    negative -= std::min(a, 0.0);
+    total += a;
+  }
+  return total > 0.0 ? negative / total : 0.0;
+}
+
+template <int Dim>
+std::vector<Index> surface_nodes(const Grid<Dim>& grid, std::span<const unsigned char> outside,
+                                 std::span<const double> fraction) {
+  const Index count = grid.node_count();
+  std::vector<unsigned char> touched(static_cast<std::size_t>(count), 0);
+  const auto inner = [&](Index node, int margin) {
+    const auto at = grid.node_at(node);
+    for (int axis = 0; axis < Dim; ++axis) {
+      if (at[axis] < margin || at[axis] >= grid.nodes(axis) - margin) {
+        return false;
+      }
+    }
+    return true;
+  };
+  std::vector<Index> first;
+  for (Index node = 0; node < count; ++node) {
+    if (fraction[node] <= 0.0 || !inner(node, 2)) {
+      continue;
+    }
+    const auto at = grid.node_at(node);
+    bool at_surface = false;
+    for (int corner = 0; corner < (1 << Dim); ++corner) {
+      auto cell = at;
+      for (int axis = 0; axis < Dim; ++axis) {
+        cell[axis] -= (corner >> axis) & 1;
+      }
+      at_surface = at_surface || outside[grid.cell_index(cell)] != 0;
+    }
+    if (at_surface) {
+      first.push_back(node);
+    }
+  }
+  std::vector<Index> all;
+  const auto add = [&](Index node) {
+    if (fraction[node] > 0.0 && touched[node] == 0) {
+      touched[node] = 1;
+      all.push_back(node);
+    }
+  };
+  std::vector<Index> offsets{0};
+  for (int axis = 0; axis < Dim; ++axis) {
+    const std::vector<Index> before = offsets;
+    for (const Index offset : before) {
+      offsets.push_back(offset - grid.node_stride(axis));
+      offsets.push_back(offset + grid.node_stride(axis));
+    }
+  }
+  for (const Index node : first) {
+    for (const Index offset : offsets) {
+      add(node + offset);
+    }
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+template <int Dim>
+NodalAreas<Dim> nodal_normal_areas(const Grid<Dim>& grid, const NodalSums<Dim>& sums,
+                                   std::vector<Index> nodes, int smoothing, bool corner_fit) {
+  std::vector<double> fraction = sums.fraction, scratch;
+  for (int pass = 0; pass < smoothing; ++pass) {
+    smooth(grid, fraction, scratch);
+  }
+  const auto gradient = [&](Index node) {  // per cell
+    Vec<Dim> slope;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const Index stride = grid.node_stride(axis);
+      slope[axis] = 0.5 * (fraction[node + stride] - fraction[node - stride]);
+    }
+    return slope;
+  };
+  NodalAreas<Dim> areas;
+  areas.node = std::move(nodes);
+  const auto count = static_cast<Index>(areas.node.size());
+  areas.area.resize(areas.node.size());
+  areas.normal.resize(areas.node.size());
+  areas.position.resize(areas.node.size());
+  for (Index k = 0; k < count; ++k) {
+    const Index node = areas.node[k];
+    const Vec<Dim> slope = gradient(node);
+    const double steepness = slope.norm();
+    // A gradient of rounding size, as in the middle of a thin plate, has no direction.
+    areas.normal[k] = steepness > 1e-12 ? Vec<Dim>(-slope / steepness) : Vec<Dim>::Zero();
+    areas.area[k] = areas.normal[k].dot(sums.area_vector[node]);
+    areas.position[k] = projected(grid, node, areas.normal[k], fraction[node], steepness);
+  }
+  if (corner_fit && Dim > 1) {
+    fit_corners(grid, sums, areas);
+  }
+  areas.positive = non_negative_areas<Dim>(grid, areas.node, areas.area);
+  return areas;
+}
+
+template <int Dim>
+std::vector<double> non_negative_areas(const Grid<Dim>& grid, std::span<const Index> nodes,
+                                       std::span<const double> area) {
+  std::vector<double> positive(area.begin(), area.end());
+  const auto row_of = [&](Index node) -> Index {
+    const auto found = std::lower_bound(nodes.begin(), nodes.end(), node);
+    return found != nodes.end() && *found == node ? found - nodes.begin() : -1;
+  };
+  for (std::size_t k = 0; k < positive.size(); ++k) {
+    double missing = -std::min(positive[k], 0.0);
+    if (missing == 0.0) {
+      continue;
+    }
+    positive[k] = 0.0;
+    const auto at = grid.node_at(nodes[k]);
+    for (int reach = 1; reach <= 8 && missing > 0.0; ++reach) {
+      // The block of nodes within `reach`; what inner blocks gave is already taken.
+      std::vector<Index> givers;
+      double available = 0.0;
+      const int width = 2 * reach + 1;
+      const int block = Dim == 1 ? width : Dim == 2 ? width * width : width * width * width;
+      for (int b = 0; b < block; ++b) {
+        auto node = at;
+        bool inside = true;
+        for (int axis = 0, rest = b; axis < Dim; ++axis, rest /= width) {
+          node[axis] += rest % width - reach;
+          inside = inside && node[axis] >= 0 && node[axis] < grid.nodes(axis);
+        }
+        const Index row = inside ? row_of(grid.node_index(node)) : -1;
+        if (row >= 0 && positive[row] > 0.0) {
+          givers.push_back(row);
+          available += positive[row];
+        }
+      }
+      const double share = available > missing ? missing / available : 1.0;
+      for (const Index row : givers) {
+        positive[row] -= share * positive[row];
+      }
+      missing = available > missing ? 0.0 : missing - available;
+    }
+  }
+  return positive;
+}
+
+template struct NodalAreas<1>;
+template struct NodalAreas<2>;
+template struct NodalAreas<3>;
+#define LAPILLI_INSTANTIATE(Dim)                                                                  \
+  template std::vector<Index> surface_nodes(const Grid<Dim>&, std::span<const unsigned char>,     \
+                                            std::span<const double>);                             \
+  template NodalAreas<Dim> nodal_normal_areas(const Grid<Dim>&, const NodalSums<Dim>&,            \
+                                              std::vector<Index>, int, bool);                     \
+  template std::vector<double> non_negative_areas(const Grid<Dim>&, std::span<const Index>,       \
+                                                  std::span<const double>);
+LAPILLI_INSTANTIATE(1)
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+}  // namespace lapilli
