@@ -1,0 +1,222 @@
+#include "lapilli/mpm/heat/heat_laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+namespace {
+
+double fourth_power(double x) { return x * x * x * x; }
+
+bool is_held(const HeatBoundary& law) { return std::holds_alternative<PrescribedTemperature>(law); }
+
+}  // namespace
+
+const Shape* region_of(const HeatBoundary& law) {
+  return std::visit([](const auto& l) { return l.region ? &*l.region : nullptr; }, law);
+}
+
+std::string name_of_law(const HeatBoundary& law, std::size_t index) {
+  return std::visit(
+      [&](const auto& l) {
+        return l.name.empty() ? message(l.kind, " ", index + 1) : l.name;
+      },
+      law);
+}
+
+template <int Dim>
+void HeatLaws<Dim>::Account::add(double value) {
+  const double total = sum + value;
+  dropped += std::abs(sum) >= std::abs(value) ? (sum - total) + value : (value - total) + sum;
+  sum = total;
+}
+
+template <int Dim>
+HeatLaws<Dim>::HeatLaws(const std::vector<HeatBoundary>& laws)
+    : laws_(laws), nodes_(laws.size()), account_(laws.size()) {}
+
+template <int Dim>
+bool HeatLaws<Dim>::has_held_temperature() const {
+  return std::any_of(laws_.begin(), laws_.end(), is_held);
+}
+
+template <int Dim>
+bool HeatLaws<Dim>::is_linear() const {
+  return std::none_of(laws_.begin(), laws_.end(), [](const HeatBoundary& law) {
+    const auto* flux = std::get_if<PrescribedFlux>(&law);
+    const auto* convection = std::get_if<Convection>(&law);
+    return std::holds_alternative<Radiation>(law) ||
+           (flux != nullptr && flux->value.is_function()) ||
+           (convection != nullptr && convection->coefficient.is_function());
+  });
+}
+
+template <int Dim>
+bool HeatLaws<Dim>::has_constant_slope() const {
+  return is_linear() && std::all_of(laws_.begin(), laws_.end(), [](const HeatBoundary& law) {
+           const auto* convection = std::get_if<Convection>(&law);
+           return convection == nullptr || convection->coefficient.is_constant();
+         });
+}
+
+template <int Dim>
+void HeatLaws<Dim>::assign(const NodalAreas<Dim>& areas, double cell_size) {
+  for (Nodes& nodes : nodes_) {
+    nodes.node.clear();
+    nodes.area.clear();
+    nodes.normal.clear();
+    nodes.position.clear();
+  }
+  const double slack = 0.25 * cell_size;  // the projection is good to a fraction of a cell
+  for (std::size_t k = 0; k < areas.node.size(); ++k) {
+    for (std::size_t law = 0; law < laws_.size(); ++law) {
+      const Shape* region = region_of(laws_[law]);
+      if (region == nullptr || covers(*region, areas.position[k], slack)) {
+        const bool is_signed = std::holds_alternative<PrescribedFlux>(laws_[law]);
+        const double area = is_signed ? areas.area[k] : areas.positive[k];
+        if (area != 0.0) {
+          nodes_[law].node.push_back(areas.node[k]);
+          nodes_[law].area.push_back(area);
+          nodes_[law].normal.push_back(areas.normal[k]);
+          nodes_[law].position.push_back(areas.position[k]);
+        }
+        break;
+      }
+    }
+  }
+  for (Nodes& nodes : nodes_) {
+    nodes.state.resize(nodes.node.size());
+    nodes.rate.resize(nodes.node.size());
+    nodes.slope.resize(nodes.node.size());
+  }
+}
+
+template <int Dim>
+void HeatLaws<Dim>::place_probes(
+    const Grid<Dim>& grid,
+    const std::function<double(Index, const Vec<Dim>&)>& conductivity) {
+  constexpr int corners = 1 << Dim;
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    if (!is_held(laws_[law])) {
+      continue;
+    }
+    Nodes& nodes = nodes_[law];
+    nodes.conductance.resize(nodes.node.size());
+    nodes.probe.resize(nodes.node.size() * corners);
+    for (std::size_t k = 0; k < nodes.node.size(); ++k) {
+      const double depth = grid.cell_size();
+      const Vec<Dim> probe = nodes.position[k].template head<Dim>() - depth * nodes.normal[k];
+      const LinearShape shape;
+      const Weights<Dim, LinearShape> weights(grid, shape, probe.data());
+      std::size_t corner = k * corners;
+      weights.for_each_node(grid, [&](Index node, double value, const Vec<Dim>&) {
+        nodes.probe[corner++] = {node, value};
+      });
+      nodes.conductance[k] = conductivity(nodes.node[k], nodes.normal[k]) / depth;
+    }
+  }
+}
+
+template <int Dim>
+void HeatLaws<Dim>::require_all_used() const {
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    require(!nodes_[law].node.empty(), "heat.boundaries.", law, " (", name_of_law(laws_[law], law),
+            ") selects no surface: ",
+            region_of(laws_[law]) != nullptr ? "its region covers none that an earlier law left"
+                                             : "earlier laws took all of it");
+  }
+}
+
+template <int Dim>
+void HeatLaws<Dim>::evaluate(std::span<const double> temperature, double time) {
+  constexpr std::size_t corners = 1 << Dim;
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    Nodes& n = nodes_[law];
+    const std::size_t count = n.node.size();
+    first_.resize(count);
+    second_.resize(count);
+    const bool held = is_held(laws_[law]);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (held) {
+        n.state[k] = 0.0;
+        for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
+          n.state[k] += n.probe[c].second * temperature[n.probe[c].first];
+        }
+      } else {
+        n.state[k] = temperature[n.node[k]];
+      }
+    }
+    const auto fill = [&](const Value& value, std::vector<double>& to) {
+      value.evaluate(n.position, n.state, time, to);
+    };
+    if (const auto* flux = std::get_if<PrescribedFlux>(&laws_[law])) {
+      fill(flux->value, first_);
+      for (std::size_t k = 0; k < count; ++k) {
+        n.rate[k] = n.area[k] * first_[k];
+        n.slope[k] = 0.0;
+      }
+    } else if (const auto* convection = std::get_if<Convection>(&laws_[law])) {
+      fill(convection->coefficient, first_);
+      fill(convection->ambient, second_);
+      for (std::size_t k = 0; k < count; ++k) {
+        n.slope[k] = n.area[k] * first_[k];
+        n.rate[k] = n.slope[k] * (second_[k] - n.state[k]);
+      }
+    } else if (const auto* radiation = std::get_if<Radiation>(&laws_[law])) {
+      fill(radiation->emissivity, first_);
+      fill(radiation->ambient, second_);
+      for (std::size_t k = 0; k < count; ++k) {
+        const double factor = n.area[k] * first_[k] * radiation->stefan_boltzmann;
+        const double state = std::max(n.state[k], 0.0);
+        n.rate[k] = factor * (fourth_power(second_[k]) - fourth_power(state));
+        n.slope[k] = 4.0 * factor * state * state * state;
+      }
+    } else {
+      fill(std::get<PrescribedTemperature>(laws_[law]).value, first_);
+      for (std::size_t k = 0; k < count; ++k) {
+        n.slope[k] = 0.0;
+        const double conductance = n.area[k] * n.conductance[k];
+        for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
+          n.slope[k] += n.probe[c].first == n.node[k] ? conductance * n.probe[c].second : 0.0;
+        }
+        n.rate[k] = conductance * (first_[k] - n.state[k]);
+      }
+    }
+  }
+}
+
+template <int Dim>
+std::vector<Ledger::Entry> HeatLaws<Dim>::entries() const {
+  std::vector<Ledger::Entry> all;
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    all.push_back({name_of_law(laws_[law], law), account_[law].sum + account_[law].dropped});
+  }
+  return all;
+}
+
+template <int Dim>
+void HeatLaws<Dim>::save(Archive& archive, const std::string& name) const {
+  std::vector<double> sums;
+  for (const Account& account : account_) {
+    sums.push_back(account.sum);
+    sums.push_back(account.dropped);
+  }
+  archive.write(name, std::span<const double>(sums));
+}
+
+template <int Dim>
+void HeatLaws<Dim>::load(const Archive& archive, const std::string& name) {
+  std::vector<double> sums(2 * account_.size());
+  archive.read(name, std::span<double>(sums));
+  for (std::size_t law = 0; law < account_.size(); ++law) {
+    account_[law] = {sums[2 * law], sums[2 * law + 1]};
+  }
+}
+
+template class HeatLaws<1>;
+template class HeatLaws<2>;
+template class HeatLaws<3>;
+
+}  // namespace lapilli

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lapilli/core/ledger.hpp"
+#include "lapilli/mpm/heat/heat_settings.hpp"
+#include "lapilli/mpm/nodal_surface.hpp"
+
+namespace lapilli {
+
+/// The laws on the surface, each on the nodes its region selects. A law gives every node a rate of
+/// heat (W) and its slope -d rate/dT (W/K) for the implicit diagonal; what really came in is booked.
+template <int Dim>
+class HeatLaws {
+ public:
+  /// The nodes of one law.
+  struct Nodes {
+    std::vector<Index> node;
+    std::vector<double> area;  // m^(dim-1); signed for a prescribed flux, else non-negative
+    std::vector<Vec<Dim>> normal;
+    std::vector<Vec3> position;  // on the surface, m
+    std::vector<double> state;   // K, at the node, or at the probe of a held temperature
+    std::vector<double> rate;    // W
+    std::vector<double> slope;   // W/K, not negative
+    // Held temperatures only:
+    std::vector<double> conductance;  // conductivity / probe depth, W/(m^2 K)
+    std::vector<std::pair<Index, double>> probe;  // 2^dim nodes and weights an entry
+  };
+
+  explicit HeatLaws(const std::vector<HeatBoundary>& laws);
+
+  bool empty() const { return laws_.empty(); }
+  bool has_held_temperature() const;
+  bool is_linear() const;         // no radiation, no callable
+  bool has_constant_slope() const;  // besides, no coefficient tabulated in time
+  const std::vector<Nodes>& nodes() const { return nodes_; }
+
+  /// Give each node of the surface to the first law whose region covers its place.
+  void assign(const NodalAreas<Dim>& areas, double cell_size);
+  /// Place the probes of held temperatures, one cell below the surface. `conductivity` is the
+  /// nodal n.k.n (W/(m K)).
+  void place_probes(const Grid<Dim>& grid, const std::function<double(Index, const Vec<Dim>&)>& conductivity);
+
+  /// Replace every node number by number(node), for temperatures stored in another order.
+  template <class Number>
+  void renumber(const Number& number) {
+    for (Nodes& nodes : nodes_) {
+      for (Index& node : nodes.node) {
+        node = number(node);
+      }
+      for (auto& [node, weight] : nodes.probe) {
+        node = number(node);
+      }
+    }
+  }
+
+  /// Throws std::invalid_argument when a law's region selects no surface.
+  void require_all_used() const;
+
+  /// Rates and slopes at the nodal temperatures (indexed by node) and the time.
+  void evaluate(std::span<const double> temperature, double time);
+  /// Add to a law's account. `heat` came in (J).
+  void book(std::size_t law, double heat) { account_[law].add(heat); }
+
+  std::vector<Ledger::Entry> entries() const;
+  void save(Archive& archive, const std::string& name) const;
+  void load(const Archive& archive, const std::string& name);
+
+ private:
+  /// A sum that keeps what rounding drops (Neumaier 1974).
+  struct Account {
+    double sum = 0.0, dropped = 0.0;
+    void add(double value);
+  };
+
+  std::vector<HeatBoundary> laws_;
+  std::vector<Nodes> nodes_;
+  std::vector<Account> account_;
+  std::vector<double> first_, second_;  // scratch of evaluate
+};
+
+/// The region of a law, null when it takes what is left.
+const Shape* region_of(const HeatBoundary& law);
+/// "convection 2" or the name the user gave.
+std::string name_of_law(const HeatBoundary& law, std::size_t index);
+
+}  // namespace lapilli

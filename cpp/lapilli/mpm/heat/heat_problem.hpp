@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lapilli/core/physics.hpp"
+#include "lapilli/core/points.hpp"
+#include "lapilli/materials/thermal.hpp"
+#include "lapilli/mpm/grid.hpp"
+#include "lapilli/mpm/heat/heat_settings.hpp"
+#include "lapilli/mpm/nodal_surface.hpp"
+#include "lapilli/mpm/weights.hpp"
+
+namespace lapilli {
+
+/// What heat conduction needs to know of one body.
+struct HeatBody {
+  Thermal material;
+  double half_width = 0.25;  // of the GIMP box in cells: half the fill spacing over the cell size
+  Value temperature;         // K, initial; a function of place may be given
+  Value source;              // W/m^3
+};
+
+/// Everything a heat solver is made from.
+template <int Dim>
+struct HeatProblem {
+  Grid<Dim> grid;
+  ShapeFunction shape = ShapeFunction::gimp;
+  std::vector<HeatBody> bodies;  // by body number of the points
+  HeatSettings settings;
+  DistanceFunction distance;  // signed distance to the union of the bodies; may be empty
+  bool moving = false;        // whether another physics moves the points
+};
+
+/// The heat solver a scene needs: nodal operators assembled once where points rest and the transfer
+/// closes on the nodes, the point-to-grid cycle otherwise. Throws std::invalid_argument when the
+/// settings contradict each other.
+template <int Dim>
+std::unique_ptr<Physics> make_heat(Points& points, HeatProblem<Dim> problem);
+
+}  // namespace lapilli

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "lapilli/mpm/heat/heat_laws.hpp"
+#include "lapilli/mpm/heat/heat_problem.hpp"
+
+namespace lapilli {
+
+/// Volumetric sources of the bodies, lumped to the nodes: heat rate Q(x_I, T_I, t) sum V S.
+template <int Dim>
+class HeatSource {
+ public:
+  /// Whether any body has a source other than the constant zero.
+  static bool is_present(const std::vector<HeatBody>& bodies);
+
+  explicit HeatSource(const std::vector<HeatBody>& bodies) : bodies_(bodies) {}
+
+  /// Node volumes sum V S of every body at the points' present places.
+  void assign(const Points& points, const HeatProblem<Dim>& problem,
+              const std::vector<double>& half_width);
+  template <class Number>
+  void renumber(const Number& number) {
+    for (auto& body : nodes_) {
+      for (Index& node : body.node) {
+        node = number(node);
+      }
+    }
+  }
+
+  /// Call body(node, rate) for every node with a source; rate in W.
+  template <class Body>
+  void for_each(std::span<const double> temperature, double time, const Body& body) {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      Nodes& n = nodes_[b];
+      n.value.resize(n.node.size());
+      n.state.resize(n.node.size());
+      for (std::size_t k = 0; k < n.node.size(); ++k) {
+        n.state[k] = temperature[n.node[k]];
+      }
+      bodies_[b].source.evaluate(n.position, n.state, time, n.value);
+      for (std::size_t k = 0; k < n.node.size(); ++k) {
+        body(n.node[k], n.value[k] * n.volume[k]);
+      }
+    }
+  }
+
+  void book(double heat) { booked_ += heat; }
+  double booked() const { return booked_; }
+  void set_booked(double heat) { booked_ = heat; }
+
+ private:
+  struct Nodes {
+    std::vector<Index> node;
+    std::vector<double> volume;
+    std::vector<Vec3> position;
+    std::vector<double> state, value;
+  };
+  std::vector<HeatBody> bodies_;
+  std::vector<Nodes> nodes_;
+  double booked_ = 0.0;  // J
+};
+
+}  // namespace lapilli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "lapilli/mpm/heat/point_fields.hpp"
+#include "lapilli/mpm/stencil_matrix.hpp"
+
+namespace lapilli {
+
+/// The nodal operators of points at rest, stored for the active nodes only.
+template <int Dim>
+struct NodalOperators {
+  std::unique_ptr<NodeRows<Dim>> rows;
+  std::unique_ptr<StencilMatrix<Dim>> conduction;  // K = sum V grad S . k grad S, W/K
+  std::unique_ptr<StencilMatrix<Dim>> capacity;    // M = sum m S S, J/K; absent unless asked for
+  std::vector<double> lumped;                      // C = sum m S by place, J/K
+};
+
+template <int Dim>
+NodalOperators<Dim> assemble_operators(const Points& points, const HeatProblem<Dim>& problem,
+                                       const HeatCoefficients<Dim>& coefficients,
+                                       const std::vector<double>& capacity, bool with_capacity);
+
+/// n . k n at a node, the bodies' conductivities weighted by their volume there.
+template <int Dim>
+std::function<double(Index, const Vec<Dim>&)> nodal_conductivity(
+    const Points& points, const HeatProblem<Dim>& problem,
+    const HeatCoefficients<Dim>& coefficients, const NodalSums<Dim>& sums);
+
+}  // namespace lapilli
