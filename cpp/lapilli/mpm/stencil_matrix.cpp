@@ -49,16 +49,21 @@ void StencilMatrix<Dim>::distances(const typename NodeRows<Dim>::Row& row,
 }
 
 template <int Dim>
-double StencilMatrix<Dim>::absolute_row_sum(const typename NodeRows<Dim>::Row& row,
-                                            Index place) const {
+std::vector<double> StencilMatrix<Dim>::absolute_multiply(std::span<const double> x) const {
+  std::vector<double> product(x.size(), 0.0);
   std::vector<Index> later, earlier;
-  distances(row, later, earlier);
-  double sum = std::abs(coefficient_[place]);
-  for (std::size_t s = 1; s < later_.size(); ++s) {
-    const double* c = coefficient_.data() + static_cast<Index>(s) * rows_->size() + place;
-    sum += std::abs(c[0]) + std::abs(c[earlier[s]]);
+  for (const auto& row : rows_->rows()) {
+    distances(row, later, earlier);
+    for (Index place = row.shift + row.begin; place < row.shift + row.end; ++place) {
+      double sum = std::abs(coefficient_[place]) * x[place];
+      for (std::size_t s = 1; s < later_.size(); ++s) {
+        const double* c = coefficient_.data() + static_cast<Index>(s) * rows_->size() + place;
+        sum += std::abs(c[0]) * x[place + later[s]] + std::abs(c[earlier[s]]) * x[place + earlier[s]];
+      }
+      product[place] = sum;
+    }
   }
-  return sum;
+  return product;
 }
 
 template <int Dim>

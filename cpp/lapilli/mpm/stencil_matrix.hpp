@@ -39,8 +39,8 @@ class StencilMatrix {
   template <class Body>
   void multiply(const double* x, const Body& body) const;
 
-  /// Sum of |entries| of the row of one place.
-  double absolute_row_sum(const typename NodeRows<Dim>::Row& row, Index place) const;
+  /// |matrix| x at the active places, zero elsewhere: the row sums that Gershgorin's circles need.
+  std::vector<double> absolute_multiply(std::span<const double> x) const;
 
   /// The lower triangle and diagonal as a sparse matrix; `number` numbers the places (-1: left out).
   void append_triplets(std::span<const Index> number, double scale,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/weights.hpp"
 
 namespace lapilli {
 namespace {

@@ -149,6 +149,7 @@ struct HeatSettings {
   double blend = 4.0;                           // c of beta = 1 - exp(-c dt alpha/h^2)
   int normal_smoothing = 2;                     // passes of 1/4, 1/2, 1/4 before nodal normals
   double surface_fraction = 0.55;               // eta of the paper's surface rule
+  bool implicit_exchange = true;                // convection and radiation at the end of the step
   bool corner_fit = true;                       // fitted vector at sharp corners
   bool rescale_areas = false;                   // areas scaled to a contour; sparse points
   std::vector<HeatBoundary> boundaries;
@@ -166,6 +167,9 @@ struct HeatSettings {
     visit(Key("surface_fraction").range(0.0, 1.0, true).text(
               "volume fraction below which a cell is surface (method paper)"),
           self.surface_fraction);
+    visit(Key("implicit_exchange").text(
+              "take convection and radiation at the end of the step, stable for any coefficient"),
+          self.implicit_exchange);
     visit(Key("corner_fit").text("give sharp corners their whole area"), self.corner_fit);
     visit(Key("rescale_areas").text("scale areas to a smoothed contour, for sparse points"), self.rescale_areas);
     visit(Key("boundaries").text("flux laws and held temperatures; the first region that covers a place wins"),

@@ -77,7 +77,9 @@ NodalAreas<Dim> paper_areas(const Points& points, const HeatProblem<Dim>& proble
       for (int axis = 0; axis < Dim; ++axis) {
         cell[axis] -= (corner >> axis) & 1;
       }
-      surface[node] |= fill[grid.cell_index(cell)] < least ? 1 : 0;
+      if (fill[grid.cell_index(cell)] < least) {
+        surface[node] = 1;
+      }
     }
   }
   for (Index row = 0; row < points.size(); ++row) {

@@ -11,6 +11,7 @@ namespace lapilli {
 /// The nodal operators of points at rest, stored for the active nodes only.
 template <int Dim>
 struct NodalOperators {
+  std::vector<unsigned char> active;  // by node of the grid
   std::unique_ptr<NodeRows<Dim>> rows;
   std::unique_ptr<StencilMatrix<Dim>> conduction;  // K = sum V grad S . k grad S, W/K
   std::unique_ptr<StencilMatrix<Dim>> capacity;    // M = sum m S S, J/K; absent unless asked for
