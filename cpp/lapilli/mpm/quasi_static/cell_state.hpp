@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "lapilli/materials/linear_elastic.hpp"
+#include "lapilli/mpm/quasi_static/point_weights.hpp"
+#include "lapilli/mpm/quasi_static/surface.hpp"
+
+namespace lapilli {
+
+/// Which cells hold material, and the elastic moduli in each, averaged over the points that touch
+/// it. A cell that only the domain of a point reaches is occupied too.
+template <int Dim>
+struct CellState {
+  std::vector<char> occupied;     // one a cell
+  std::vector<double> lame;       // Pa
+  std::vector<double> shear;      // Pa
+  std::vector<double> youngs;     // Pa
+
+  CellState(const Grid<Dim>& grid, const Points& points, const PointWeights<Dim>& weights,
+            std::span<const LinearElastic> materials);
+};
+
+/// Keep the facets that hold material: in an occupied cell, or (`hold_empty_cells`) in an empty one
+/// with material three quarters of a cell further in, whose moduli it takes.
+template <int Dim>
+std::vector<Facet<Dim>> facets_at_material(const Grid<Dim>& grid, CellState<Dim>& state,
+                                           std::vector<Facet<Dim>> facets, bool hold_empty_cells);
+
+/// The pairs of neighbouring cells, cut by a facet or at the edge of the material, whose common face
+/// ghost stabilisation acts on; `boxes` along each axis.
+template <int Dim>
+std::array<std::vector<CellBox<Dim>>, Dim> ghost_pairs(const Grid<Dim>& grid,
+                                                       const CellState<Dim>& state,
+                                                       std::span<const Facet<Dim>> facets);
+
+}  // namespace lapilli

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lapilli/mpm/quasi_static/direct_solver.hpp"
+#include "lapilli/mpm/quasi_static/newton.hpp"
+#include "lapilli/mpm/quasi_static/wall_terms.hpp"
+
+namespace lapilli {
+
+/// The loads of one load step, at its end.
+template <int Dim>
+struct Loads {
+  std::vector<Vec<Dim>> body_force;       // N/m3, one a point; empty: none
+  std::vector<WallTerm<Dim>> walls;       //
+  std::vector<Facet<Dim>> traction_faces; //
+  std::vector<std::vector<Vec<Dim>>> tractions;  // Pa, one a point of each face
+  std::array<std::vector<CellBox<Dim>>, Dim> ghost_pairs;
+  double ghost = 0.0;
+};
+
+/// Equilibrium of the nodes of the background grid in one load step. The unknown is the displacement
+/// increment of the nodes; stresses at its start are given. Small strains.
+///
+/// Solves  int B^T sigma(u) + walls(u) + ghost(u) = body force + traction.
+template <int Dim>
+class Equilibrium {
+ public:
+  /// All arguments must outlive the object; `stress` is rows x 6. `system` and `solver` are kept
+  /// between load steps so that a pattern that stands is not analysed again.
+  Equilibrium(const Grid<Dim>& grid, const Points& points, const PointWeights<Dim>& weights,
+              const CellState<Dim>& state, std::span<const LinearElastic> materials,
+              std::span<const double> stress, const Loads<Dim>& loads, NodeSystem<Dim>& system,
+              DirectSolver& solver);
+
+  /// Assemble and factorise the tangent. The caller judges the pivots.
+  PivotReport factorise();
+  /// External minus internal forces at the increment `u`; zero at unknowns without stiffness.
+  Imbalance residual(const Eigen::VectorXd& u) const;
+  Eigen::VectorXd correction(const Eigen::VectorXd& force) const { return solver_.solve(force); }
+
+  /// Strain increment of a point, engineering shear strains not used: tensor components.
+  SymmetricTensor strain(Index point, const Eigen::VectorXd& u) const;
+  /// Displacement increment of a point.
+  Vec<Dim> displacement(Index point, const Eigen::VectorXd& u) const;
+  /// Force of each of `walls` walls on the material, N (per metre of thickness in 2D).
+  std::vector<Vec<Dim>> wall_forces(const Eigen::VectorXd& u, int walls) const;
+
+ private:
+  void lay_out();
+  void assemble_points();
+  void assemble_surfaces();
+  void drop_unknowns_without_stiffness();
+  void external_force();
+  double ghost_stiffness(const CellBox<Dim>& pair, int axis) const;
+  void add_internal_force(const Eigen::VectorXd& u, Eigen::VectorXd& force) const;
+
+  const Grid<Dim>& grid_;
+  const Points& points_;
+  const PointWeights<Dim>& weights_;
+  const CellState<Dim>& state_;
+  std::span<const LinearElastic> materials_;
+  std::span<const double> stress_;
+  const Loads<Dim>& loads_;
+  NodeSystem<Dim>& system_;
+  DirectSolver& solver_;
+  std::array<Eigen::MatrixXd, Dim> ghost_matrix_;  // one component, per unit of gamma E
+  std::vector<char> dropped_;                      // unknowns without stiffness
+  Eigen::VectorXd external_;
+};
+
+}  // namespace lapilli

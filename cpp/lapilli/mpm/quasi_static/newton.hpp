@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace lapilli {
+
+/// How an iteration ended.
+struct NewtonReport {
+  int iterations = 0;
+  double residual = 0.0;  // out-of-balance force over the forces in play
+  bool converged = false;
+};
+
+/// Force out of balance and the size of the forces it is compared with.
+struct Imbalance {
+  Eigen::VectorXd force;
+  double reference = 0.0;
+
+  double relative() const { return reference > 0.0 ? force.norm() / reference : force.norm(); }
+};
+
+/// Newton's method: `residual(u)` gives the imbalance at u, `correction(force)` solves with the
+/// tangent there. Runs until the relative imbalance is within `tolerance`, at least two iterations
+/// so that the second refines the solve of the first, and stops where a correction no longer helps.
+template <class Residual, class Correction>
+NewtonReport solve_newton(Eigen::VectorXd& u, const Residual& residual, const Correction& correction,
+                          double tolerance, int largest_iterations) {
+  constexpr int least_iterations = 2;
+  NewtonReport report;
+  Imbalance imbalance = residual(u);
+  report.residual = imbalance.relative();
+  while (report.iterations < largest_iterations) {
+    if (imbalance.force.isZero(0.0) ||
+        (report.residual <= tolerance && report.iterations >= least_iterations)) {
+      break;
+    }
+    const Eigen::VectorXd trial = u + correction(imbalance.force);
+    if (!trial.allFinite()) {
+      break;
+    }
+    Imbalance next = residual(trial);
+    ++report.iterations;
+    // Below the tolerance only rounding moves: keep the better of the two.
+    if (report.residual <= tolerance && next.relative() >= report.residual) {
+      break;
+    }
+    u = trial;
+    imbalance = std::move(next);
+    report.residual = imbalance.relative();
+  }
+  report.converged = report.residual <= tolerance;
+  return report;
+}
+
+}  // namespace lapilli
