@@ -10,7 +10,7 @@
 namespace lapilli::test {
 
 /// E = 1000 MPa, nu = 0.3 in N and mm: the material of every case of Cortis et al.
-inline const LinearElastic steel{1000.0, 0.3};
+inline const LinearElastic steel{7.85e-9, 1000.0, 0.3};
 
 using Corners = std::vector<Vec<2>>;
 

@@ -33,7 +33,7 @@ CellState<Dim>::CellState(const Grid<Dim>& grid, const Points& points,
     for_each_cell(grid, weights.box(p), [&](Index cell) {
       occupied[cell] = 1;
       volume[cell] += v;
-      lame[cell] += v * material.lame();
+      lame[cell] += v * material.lambda();
       shear[cell] += v * material.shear_modulus();
       youngs[cell] += v * material.youngs_modulus;
     });

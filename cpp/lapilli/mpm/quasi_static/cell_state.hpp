@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lapilli/materials/linear_elastic.hpp"
+#include "lapilli/materials/stiffness.hpp"
 #include "lapilli/mpm/quasi_static/point_weights.hpp"
 #include "lapilli/mpm/quasi_static/surface.hpp"
 

@@ -1,11 +1,164 @@
 #include "lapilli/mpm/quasi_static/surface.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <optional>
 
 namespace lapilli {
 namespace {
 
 constexpr double nudge = 1e-7;  // cells; how far inside the material its cell is looked up
+
+template <int Dim>
+using Piece = std::vector<Vec<Dim>>;  // ends of a straight piece, or corners of a flat convex one
+
+template <int Dim>
+Vec3 in_space(const Vec<Dim>& place) {
+  Vec3 at = Vec3::Zero();
+  at.head<Dim>() = place;
+  return at;
+}
+
+template <int Dim>
+bool inside(const Grid<Dim>& grid, const typename Grid<Dim>::Cell& cell) {
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (cell[axis] < 0 || cell[axis] >= grid.cells(axis)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Share of the way from `a` to `b` where a function that changes sign is zero (Illinois method).
+template <class Function>
+double zero_between(const Function& function, double at_a, double at_b) {
+  double low = 0.0, high = 1.0, middle = 0.5;
+  int side = 0;
+  for (int round = 0; round < 60 && high - low > 1e-16; ++round) {
+    middle = std::clamp((low * at_b - high * at_a) / (at_b - at_a), low, high);
+    const double value = function(middle);
+    if (value == 0.0) {
+      return middle;
+    }
+    if ((value > 0.0) == (at_b > 0.0)) {
+      high = middle;
+      at_b = value;
+      at_a *= side == -1 ? 0.5 : 1.0;
+      side = -1;
+    } else {
+      low = middle;
+      at_a = value;
+      at_b *= side == 1 ? 0.5 : 1.0;
+      side = 1;
+    }
+  }
+  return middle;
+}
+
+/// The part of a piece where `region` is positive.
+template <int Dim>
+Piece<Dim> trim(const Piece<Dim>& piece, const std::function<double(const Vec3&)>& region,
+                double slack) {
+  const std::size_t count = piece.size();
+  std::vector<double> value(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    value[k] = region(in_space<Dim>(piece[k]));
+    value[k] = std::abs(value[k]) <= slack ? 0.0 : value[k];
+  }
+  Piece<Dim> kept;
+  const std::size_t sides = Dim == 2 ? count - 1 : count;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (value[k] >= 0.0) {
+      kept.push_back(piece[k]);
+    }
+    const std::size_t next = (k + 1) % count;
+    if (k < sides && value[k] * value[next] < 0.0) {
+      const auto along = [&](double share) {
+        return region(in_space<Dim>(piece[k] + share * (piece[next] - piece[k])));
+      };
+      kept.push_back(piece[k] + zero_between(along, value[k], value[next]) * (piece[next] - piece[k]));
+    }
+  }
+  return kept;
+}
+
+struct FlatPoint {
+  std::array<double, 3> share;  // of the corners
+  double weight;                // of the area
+};
+
+/// Three Gauss points on a segment; seven of degree 5 on a triangle (Radon 1948).
+template <int Dim>
+const std::vector<FlatPoint>& flat_rule() {
+  static const std::vector<FlatPoint> rule = [] {
+    std::vector<FlatPoint> points;
+    if constexpr (Dim == 2) {
+      const double off = std::sqrt(0.15);
+      for (const auto& [x, w] : {std::pair(0.5 - off, 5.0 / 18.0), std::pair(0.5, 8.0 / 18.0),
+                                 std::pair(0.5 + off, 5.0 / 18.0)}) {
+        points.push_back({{1.0 - x, x, 0.0}, w});
+      }
+    } else {
+      const double root = std::sqrt(15.0);
+      points.push_back({{1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}, 9.0 / 40.0});
+      for (const double sign : {1.0, -1.0}) {
+        const double b = (6.0 + sign * root) / 21.0, w = (155.0 + sign * root) / 1200.0;
+        for (int corner = 0; corner < 3; ++corner) {
+          FlatPoint point{{b, b, b}, w};
+          point.share[corner] = 1.0 - 2.0 * b;
+          points.push_back(point);
+        }
+      }
+    }
+    return points;
+  }();
+  return rule;
+}
+
+/// Points of integration of a flat piece with unit normal `normal`.
+template <int Dim>
+void add_points(const Piece<Dim>& piece, const Vec<Dim>& normal,
+                std::vector<SurfacePoint<Dim>>& points) {
+  if constexpr (Dim == 2) {
+    if (piece.size() < 2) {
+      return;
+    }
+    const Vec<2> along = piece.back() - piece.front();
+    for (const FlatPoint& rule : flat_rule<2>()) {
+      points.push_back({piece.front() + rule.share[1] * along, normal, rule.weight * along.norm()});
+    }
+  } else {
+    for (std::size_t k = 1; k + 1 < piece.size(); ++k) {
+      const double area = 0.5 * (piece[k] - piece[0]).cross(piece[k + 1] - piece[0]).norm();
+      for (const FlatPoint& rule : flat_rule<3>()) {
+        points.push_back({rule.share[0] * piece[0] + rule.share[1] * piece[k] +
+                              rule.share[2] * piece[k + 1],
+                          normal, rule.weight * area});
+      }
+    }
+  }
+}
+
+/// Move a point of a flat piece onto the surface along the normal of the piece, and let it stand for
+/// the surface above its part of the piece. Stays where it is at an edge.
+template <int Dim>
+void put_on_surface(const LevelSet& surface, double cell_size, SurfacePoint<Dim>& point) {
+  constexpr double least_cosine = 0.5;
+  Vec<Dim> at = point.position;
+  for (int round = 0; round < 20; ++round) {
+    const double distance = surface.distance(in_space<Dim>(at));
+    const Vec<Dim> normal = surface.normal(in_space<Dim>(at)).template head<Dim>();
+    const double cosine = normal.dot(point.normal);
+    if (!(cosine > least_cosine) || (at - point.position).norm() > 0.5 * cell_size) {
+      return;
+    }
+    if (std::abs(distance) < 1e-14 * cell_size || round == 19) {
+      point = {at, normal, point.weight / cosine};
+      return;
+    }
+    at -= distance / cosine * point.normal;
+  }
+}
 
 /// Where a segment crosses grid lines, as shares of its length, ends included.
 std::vector<double> crossings(const Grid<2>& grid, const Vec<2>& from, const Vec<2>& along) {
@@ -31,35 +184,174 @@ std::vector<double> crossings(const Grid<2>& grid, const Vec<2>& from, const Vec
   return shares;
 }
 
-bool inside(const Grid<2>& grid, const Grid<2>::Cell& cell) {
-  return cell[0] >= 0 && cell[1] >= 0 && cell[0] < grid.cells(0) && cell[1] < grid.cells(1);
+/// Where the level set is `nudge` inside the material, in one simplex of a cell.
+template <int Dim>
+Piece<Dim> cut_simplex(const std::array<Vec<Dim>, Dim + 1>& corner,
+                       const std::array<double, Dim + 1>& value,
+                       const std::function<double(const Vec<Dim>&)>& function) {
+  std::array<int, Dim + 1> in{}, out{};
+  int in_count = 0, out_count = 0;
+  for (int k = 0; k <= Dim; ++k) {
+    (value[k] > 0.0 ? in[in_count++] : out[out_count++]) = k;
+  }
+  const auto crossing = [&](int a, int b) {
+    // Always from the same end, so that neighbours find the same place.
+    if (std::lexicographical_compare(corner[b].begin(), corner[b].end(), corner[a].begin(),
+                                     corner[a].end())) {
+      std::swap(a, b);
+    }
+    const Vec<Dim> along = corner[b] - corner[a];
+    return Vec<Dim>(corner[a] + along * zero_between([&](double share) {
+                                  return function(corner[a] + share * along);
+                                },
+                                                     value[a], value[b]));
+  };
+  Piece<Dim> piece;
+  if (in_count == 0 || out_count == 0) {
+    return piece;
+  }
+  if (Dim == 3 && in_count == 2) {
+    return {crossing(in[0], out[0]), crossing(in[0], out[1]), crossing(in[1], out[1]),
+            crossing(in[1], out[0])};
+  }
+  const bool lone_in = in_count == 1;
+  for (int k = 0; k < Dim; ++k) {
+    piece.push_back(lone_in ? crossing(in[0], out[k]) : crossing(in[k], out[0]));
+  }
+  return piece;
+}
+
+/// Unit normal of a piece, on the side of `towards`; nothing if the piece is degenerate.
+template <int Dim>
+std::optional<Vec<Dim>> normal_of(const Piece<Dim>& piece, const Vec<Dim>& towards,
+                                  double cell_size) {
+  Vec<Dim> normal = Vec<Dim>::Zero();
+  if constexpr (Dim == 2) {
+    const Vec<2> along = piece[1] - piece[0];
+    normal = Vec<2>(-along[1], along[0]) * cell_size;
+  } else {
+    for (std::size_t k = 1; k + 1 < piece.size(); ++k) {
+      normal += Vec<3>((piece[k] - piece[0]).cross(piece[k + 1] - piece[0]));
+    }
+  }
+  const double size = normal.norm();
+  if (size < 1e-14 * cell_size * cell_size) {
+    return std::nullopt;
+  }
+  return Vec<Dim>(normal.dot(towards) < 0.0 ? -normal / size : normal / size);
+}
+
+/// The simplices of a cell: corners as bit patterns of the upper side along each axis (Kuhn).
+template <int Dim>
+std::vector<std::array<int, Dim + 1>> simplices() {
+  std::array<int, Dim> axes;
+  for (int axis = 0; axis < Dim; ++axis) {
+    axes[axis] = axis;
+  }
+  std::vector<std::array<int, Dim + 1>> all;
+  do {
+    std::array<int, Dim + 1> corners{};
+    for (int k = 0; k < Dim; ++k) {
+      corners[k + 1] = corners[k] | (1 << axes[k]);
+    }
+    all.push_back(corners);
+  } while (std::next_permutation(axes.begin(), axes.end()));
+  return all;
 }
 
 }  // namespace
 
-std::vector<Facet<2>> cut_line(const Grid<2>& grid, std::span<const Vec<2>> line, int surface) {
-  const double gauss_place[3] = {0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15)};
-  const double gauss_weight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+std::vector<Facet<2>> cut_line(const Grid<2>& grid, std::span<const Vec<2>> line, int surface,
+                               Trims trims) {
   std::vector<Facet<2>> facets;
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
     const Vec<2> along = line[k + 1] - line[k];
     const Vec<2> normal = Vec<2>(-along[1], along[0]).normalized();
     const std::vector<double> shares = crossings(grid, line[k], along);
     for (std::size_t j = 0; j + 1 < shares.size(); ++j) {
-      const Vec<2> middle = line[k] + 0.5 * (shares[j] + shares[j + 1]) * along;
+      Piece<2> piece{line[k] + shares[j] * along, line[k] + shares[j + 1] * along};
+      const Vec<2> middle = 0.5 * (piece[0] + piece[1]);
       Facet<2> facet{surface, grid.cell_containing(middle + nudge * grid.cell_size() * normal), {}};
-      if (!inside(grid, facet.cell)) {
+      for (const auto& region : trims) {
+        piece = piece.size() < 2 ? piece : trim<2>(piece, region, 1e-12 * grid.cell_size());
+      }
+      add_points<2>(piece, normal, facet.points);
+      if (inside<2>(grid, facet.cell) && facet.area() > 1e-13 * grid.cell_size()) {
+        facets.push_back(std::move(facet));
+      }
+    }
+  }
+  return facets;
+}
+
+template <int Dim>
+std::vector<Facet<Dim>> cut_level_set(const Grid<Dim>& grid, std::span<const char> cells,
+                                      const LevelSet& surface, int number, Trims trims) {
+  const double h = grid.cell_size();
+  const auto shifted = [&](const Vec<Dim>& at) {
+    return surface.distance(in_space<Dim>(at)) - nudge * h;
+  };
+  const auto all_simplices = simplices<Dim>();
+  std::vector<Facet<Dim>> facets;
+  for (Index index = 0; index < grid.cell_count(); ++index) {
+    if (!cells[index]) {
+      continue;
+    }
+    const auto cell = grid.cell_at(index);
+    const Vec<Dim> low = grid.node_position(grid.node_index(cell));
+    const Vec<Dim> middle = low + Vec<Dim>::Constant(0.5 * h);
+    if (std::abs(shifted(middle)) > 0.51 * h * std::sqrt(static_cast<double>(Dim))) {
+      continue;
+    }
+    std::array<Vec<Dim>, 1 << Dim> corner;
+    std::array<double, 1 << Dim> value;
+    for (int k = 0; k < (1 << Dim); ++k) {
+      corner[k] = low;
+      for (int axis = 0; axis < Dim; ++axis) {
+        corner[k][axis] += ((k >> axis) & 1) * h;
+      }
+      value[k] = shifted(corner[k]);
+    }
+    Facet<Dim> facet{number, cell, {}};
+    for (const auto& simplex : all_simplices) {
+      std::array<Vec<Dim>, Dim + 1> ends;
+      std::array<double, Dim + 1> values;
+      for (int k = 0; k <= Dim; ++k) {
+        ends[k] = corner[simplex[k]];
+        values[k] = value[simplex[k]];
+      }
+      Piece<Dim> piece = cut_simplex<Dim>(ends, values, shifted);
+      if (piece.empty()) {
         continue;
       }
-      const double share = shares[j + 1] - shares[j];
-      for (int q = 0; q < 3; ++q) {
-        facet.points.push_back({line[k] + (shares[j] + share * gauss_place[q]) * along, normal,
-                                gauss_weight[q] * share * along.norm()});
+      const Vec<Dim> towards =
+          surface.normal(in_space<Dim>(piece[0])).template head<Dim>();
+      const auto normal = normal_of<Dim>(piece, towards, h);
+      if (!normal) {
+        continue;
       }
+      for (Vec<Dim>& end : piece) {
+        end -= nudge * h * surface.normal(in_space<Dim>(end)).template head<Dim>();
+      }
+      for (const auto& region : trims) {
+        piece = piece.size() < Dim ? Piece<Dim>{} : trim<Dim>(piece, region, 1e-12 * h);
+      }
+      const std::size_t first = facet.points.size();
+      add_points<Dim>(piece, *normal, facet.points);
+      for (std::size_t k = first; k < facet.points.size(); ++k) {
+        put_on_surface<Dim>(surface, h, facet.points[k]);
+      }
+    }
+    if (facet.area() > 1e-13 * std::pow(h, Dim - 1)) {
       facets.push_back(std::move(facet));
     }
   }
   return facets;
 }
+
+template std::vector<Facet<2>> cut_level_set(const Grid<2>&, std::span<const char>, const LevelSet&,
+                                             int, Trims);
+template std::vector<Facet<3>> cut_level_set(const Grid<3>&, std::span<const char>, const LevelSet&,
+                                             int, Trims);
 
 }  // namespace lapilli
