@@ -2,35 +2,24 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "lapilli/core/points.hpp"
+#include "lapilli/geometry/fill.hpp"
 #include "lapilli/mpm/quasi_static/equilibrium.hpp"
+#include "lapilli/mpm/quasi_static/quasi_static.hpp"
 
 namespace lapilli::test {
 
-/// E = 1000 MPa, nu = 0.3 in N and mm: the material of every case of Cortis et al.
-inline const LinearElastic steel{7.85e-9, 1000.0, 0.3};
+/// E = 1000 MPa, nu = 0.3, in N and mm: the material of every case of Cortis et al.
+inline const LinearElastic elastic{1e-9, 1000.0, 0.3};
+inline const double constrained_modulus = elastic.wave_modulus();
 
 using Corners = std::vector<Vec<2>>;
 
-/// Keep the part of a polygon where (x - at).normal >= 0.
-inline Corners clip(const Corners& polygon, const Vec<2>& at, const Vec<2>& normal) {
-  Corners kept;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec<2>&p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
-    const double a = (p - at).dot(normal), b = (q - at).dot(normal);
-    if (a >= 0.0) {
-      kept.push_back(p);
-    }
-    if (a * b < 0.0) {
-      kept.push_back(p + (q - p) * (a / (a - b)));
-    }
-  }
-  return kept;
-}
-
-/// A rectangle with corner `corner`, sides along e1 and e2 = e1 turned by 90 degrees.
+/// A rectangle with its first corner at `corner`, sides along e1 and e2 = e1 turned by 90 degrees.
 struct Rectangle {
   Vec<2> corner, e1, e2;
   double length, height;
@@ -47,7 +36,17 @@ struct Rectangle {
   Corners corners() const { return {at(0, 0), at(length, 0), at(length, height), at(0, height)}; }
 };
 
-/// The grid of cells of size h on multiples of h (plus `origin`) that holds a set of places.
+inline std::vector<std::vector<double>> numbers(const Corners& corners) {
+  std::vector<std::vector<double>> rows;
+  for (const Vec<2>& corner : corners) {
+    rows.push_back({corner[0], corner[1]});
+  }
+  return rows;
+}
+
+inline Shape polygon(const Corners& corners) { return Polygon{numbers(corners)}; }
+
+/// The grid of cells of size h on multiples of h (plus `origin`) that holds all places.
 inline Grid<2> grid_around(const Corners& places, double h, double margin = 1.0,
                            Vec<2> origin = Vec<2>::Zero()) {
   Vec<2> low = places[0], high = places[0];
@@ -62,59 +61,94 @@ inline Grid<2> grid_around(const Corners& places, double h, double margin = 1.0,
   return Grid<2>(low, high, h);
 }
 
-/// m x m points a cell, boxes clipped by half-planes (place, inward normal): exact volume, centroid.
-/// `relocate` = false leaves the points in the middle of their boxes, which is wrong.
-struct HalfPlane {
-  Vec<2> at, inward;
-};
-inline void fill_clipped(Points& points, const Grid<2>& grid, int m,
-                         const std::vector<HalfPlane>& sides, bool relocate = true) {
-  const double s = grid.cell_size() / m;
-  std::vector<double> position, volume;
-  for (int j = 0; j < (grid.cells(1) - 6) * m; ++j) {
-    for (int i = 0; i < (grid.cells(0) - 6) * m; ++i) {
-      const Vec<2> low = grid.lower() + s * Vec<2>(i, j);
-      Corners box{low, low + Vec<2>(s, 0), low + Vec<2>(s, s), low + Vec<2>(0, s)};
-      bool cut = false, out = false;
-      for (const HalfPlane& side : sides) {
-        double least = 1e300, most = -1e300;
-        for (const Vec<2>& corner : box) {
-          const double d = (corner - side.at).dot(side.inward);
-          least = std::min(least, d);
-          most = std::max(most, d);
-        }
-        cut = cut || least < -1e-12 * grid.cell_size();
-        out = out || most <= 1e-12 * grid.cell_size();
-      }
-      if (out) {
-        continue;
-      }
-      Vec<2> centre = low + Vec<2>(s / 2, s / 2);
-      double area = s * s;
-      if (cut) {
-        for (const HalfPlane& side : sides) {
-          box = clip(box, side.at, side.inward);
-        }
-        area = 0.0;
-        Vec<2> moment = Vec<2>::Zero();
-        for (std::size_t k = 0; k < box.size(); ++k) {
-          const Vec<2> a = box[k] - box[0], b = box[(k + 1) % box.size()] - box[0];
-          const double cross = a[0] * b[1] - a[1] * b[0];
-          area += cross / 2;
-          moment += cross * (a + b) / 6;
-        }
-        if (area < 1e-12 * s * s) {
-          continue;
-        }
-        if (relocate) {
-          centre = box[0] + moment / area;
-        }
-      }
-      position.insert(position.end(), {centre[0], centre[1]});
-      volume.push_back(area);
-    }
-  }
-  points.append(position, volume, 0);
+/// m x m points a cell, the boxes cut by the shape: exact volume and centroid.
+inline void fill_clipped(Points& points, const Grid<2>& grid, const Shape& shape, int m) {
+  FillOptions options;
+  options.clip = true;
+  options.smallest_volume = 0.0;
+  const Vec3 lower(grid.lower()[0], grid.lower()[1], 0.0);
+  const FilledPoints filled = fill(shape, Lattice{lower, grid.cell_size(), m}, options, 2);
+  points.append(filled.position, filled.volume, 0);
 }
+
+/// One wall of a linear problem: an open line, and its motion.
+struct LineWall {
+  Corners line;  // the material on its left
+  WallKind kind = WallKind::fixed;
+  Vec<2> motion = Vec<2>::Zero();
+};
+
+/// One linear load step, with every part open to the tests.
+struct LinearProblem {
+  LinearProblem(const Grid<2>& on, const Shape& body, int m) : grid(on) {
+    fill_clipped(points, grid, body, m);
+  }
+
+  /// `change` may alter the facets before they are used.
+  template <class Change>
+  void solve(const std::vector<LineWall>& walls, const WallScheme& scheme, double ghost,
+             Vec<2> body_force, const Change& change) {
+    weights.build(grid, points, {});
+    state = std::make_unique<CellState<2>>(grid, points, weights, materials);
+    std::vector<Facet<2>> facets;
+    for (std::size_t w = 0; w < walls.size(); ++w) {
+      for (auto& facet : cut_line(grid, walls[w].line, static_cast<int>(w))) {
+        facets.push_back(facet);
+      }
+    }
+    facets = facets_at_material(grid, *state, facets, true);
+    loads.ghost = ghost;
+    loads.ghost_pairs = ghost_pairs<2>(grid, *state, facets);
+    loads.body_force.assign(points.size(), body_force);
+    loads.walls.clear();
+    for (Facet<2>& facet : facets) {
+      change(facet);
+      const LineWall& wall = walls[facet.surface];
+      const std::vector<Vec<2>> motion(facet.points.size(), wall.motion);
+      loads.walls.push_back(wall_term<2>(grid, *state, facet, wall.kind, motion, scheme));
+    }
+    stress.assign(6 * points.size(), 0.0);
+    equilibrium = std::make_unique<Equilibrium<2>>(grid, points, weights, *state, materials, stress,
+                                                   loads, system, solver);
+    pivots = equilibrium->factorise();
+    u = Eigen::VectorXd::Zero(system.unknowns());
+    newton = solve_newton(
+        u, [&](const auto& at) { return equilibrium->residual(at); },
+        [&](const auto& force) { return equilibrium->correction(force); }, 1e-10, 10);
+  }
+  void solve(const std::vector<LineWall>& walls, const WallScheme& scheme, double ghost,
+             Vec<2> body_force = Vec<2>::Zero()) {
+    solve(walls, scheme, ghost, body_force, [](Facet<2>&) {});
+  }
+
+  double volume() const {
+    double sum = 0.0;
+    for (double v : points.volume()) {
+      sum += v;
+    }
+    return sum;
+  }
+  Mat<2> stress_at(Index p) const {
+    return stress_of(elastic, equilibrium->strain(p, u)).block<2>();
+  }
+  Vec<2> moved(Index p) const { return equilibrium->displacement(p, u); }
+
+  Grid<2> grid;
+  Points points{2};
+  std::vector<LinearElastic> materials{elastic};
+  PointWeights<2> weights;
+  std::unique_ptr<CellState<2>> state;
+  Loads<2> loads;
+  std::vector<double> stress;
+  NodeSystem<2> system;
+  DirectSolver solver;
+  std::unique_ptr<Equilibrium<2>> equilibrium;
+  PivotReport pivots;
+  NewtonReport newton;
+  Eigen::VectorXd u;
+};
+
+inline const WallScheme literal_scheme = WallScheme::of(WallForm::literal, 1e-6, 0.05);
+inline const WallScheme default_scheme = WallScheme::of(WallForm::mean_gap, 1e-3, 0.05);
 
 }  // namespace lapilli::test

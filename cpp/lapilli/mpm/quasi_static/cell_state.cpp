@@ -48,6 +48,19 @@ CellState<Dim>::CellState(const Grid<Dim>& grid, const Points& points,
 }
 
 template <int Dim>
+std::vector<char> cells_near_material(const Grid<Dim>& grid, const CellState<Dim>& state) {
+  std::vector<char> near = state.occupied;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const std::vector<char> before = near;
+    const Index stride = grid.cell_stride(axis);
+    for (Index cell = stride; cell + stride < grid.cell_count(); ++cell) {
+      near[cell] = before[cell] || before[cell - stride] || before[cell + stride];
+    }
+  }
+  return near;
+}
+
+template <int Dim>
 std::vector<Facet<Dim>> facets_at_material(const Grid<Dim>& grid, CellState<Dim>& state,
                                            std::vector<Facet<Dim>> facets, bool hold_empty_cells) {
   constexpr double look_in = 0.75;  // cells
@@ -103,6 +116,8 @@ std::array<std::vector<CellBox<Dim>>, Dim> ghost_pairs(const Grid<Dim>& grid,
 
 template struct CellState<2>;
 template struct CellState<3>;
+template std::vector<char> cells_near_material(const Grid<2>&, const CellState<2>&);
+template std::vector<char> cells_near_material(const Grid<3>&, const CellState<3>&);
 template std::vector<Facet<2>> facets_at_material(const Grid<2>&, CellState<2>&,
                                                   std::vector<Facet<2>>, bool);
 template std::vector<Facet<3>> facets_at_material(const Grid<3>&, CellState<3>&,

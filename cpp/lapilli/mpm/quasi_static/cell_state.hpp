@@ -21,6 +21,10 @@ struct CellState {
             std::span<const LinearElastic> materials);
 };
 
+/// Marks the cells in which a wall may hold material: occupied ones and their neighbours.
+template <int Dim>
+std::vector<char> cells_near_material(const Grid<Dim>& grid, const CellState<Dim>& state);
+
 /// Keep the facets that hold material: in an occupied cell, or (`hold_empty_cells`) in an empty one
 /// with material three quarters of a cell further in, whose moduli it takes.
 template <int Dim>

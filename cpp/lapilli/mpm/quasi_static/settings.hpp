@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lapilli/core/describe.hpp"
 #include "lapilli/core/value.hpp"
-#include "lapilli/mpm/shape_function.hpp"
+#include "lapilli/geometry/shape.hpp"
 
 namespace lapilli {
 
@@ -15,41 +15,63 @@ enum class WallKind { fixed, roller, tangent };
 
 template <>
 struct Names<WallKind> {
-  static constexpr std::pair<WallKind, const char*> values[] = {
-      {WallKind::fixed, "fixed"}, {WallKind::roller, "roller"}, {WallKind::tangent, "tangent"}};
+  static constexpr std::pair<WallKind, const char*> values[] = {{WallKind::fixed, "fixed"},
+                                                                {WallKind::roller, "roller"},
+                                                                {WallKind::tangent, "tangent"}};
 };
 
 /// How a wall that does not fit the grid is imposed.
-/// pointwise: stiffly at every point of the wall, with the wall's traction (the paper);
 /// mean_gap: stiffly on the mean over each cut cell, moderately at every point; no locking;
+/// pointwise: stiffly at every point of the wall, with the wall's traction (the paper);
+/// literal: pointwise with the paper's bandwidth of 1e-6 cells and no ghost stabilisation;
 /// nitsche: moderately at every point, with the wall's traction;
 /// penalty: stiffly at every point, without the wall's traction.
-enum class WallForm { pointwise, mean_gap, nitsche, penalty };
+enum class WallForm { mean_gap, pointwise, literal, nitsche, penalty };
 
 template <>
 struct Names<WallForm> {
-  static constexpr std::pair<WallForm, const char*> values[] = {{WallForm::pointwise, "pointwise"},
-                                                                {WallForm::mean_gap, "mean-gap"},
+  static constexpr std::pair<WallForm, const char*> values[] = {{WallForm::mean_gap, "mean-gap"},
+                                                                {WallForm::pointwise, "pointwise"},
+                                                                {WallForm::literal, "literal"},
                                                                 {WallForm::nitsche, "nitsche"},
                                                                 {WallForm::penalty, "penalty"}};
 };
 
-/// A surface on which the displacement is prescribed.
-struct WallSettings {
-  std::string name;                   // "footing"; errors and reports use it
-  WallKind kind = WallKind::fixed;
-  std::vector<Vec3> line;             // m, 2D: open line of points, the material on its left
-  std::array<Value, 3> displacement;  // m, of the wall since time 0: tables in time carry the wall
-                                      // along; functions of place leave it where it stands
+/// Where a wall or a traction is: the surface of a shape, or in two dimensions an open line.
+struct SurfaceSettings {
+  std::optional<Shape> shape;             // its surface
+  bool inside = false;                    // the material is inside the shape, not outside
+  std::vector<std::vector<double>> line;  // m, 2D: points in order, the material on the left
+  std::optional<Shape> within;            // only the part of the surface in here
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("name").text("what errors and reports call it"), self.name);
-    visit(Key("kind").text("fixed, roller (free along its face) or tangent (free along its normal)"),
-          self.kind);
+    visit(Key("shape").text("shape whose surface it is"), self.shape);
+    visit(Key("inside").text("whether the material is inside the shape, or outside"), self.inside);
     visit(Key("line").unit("m").text("2D: points of an open line, the material on its left"),
           self.line);
-    visit(Key("displacement").unit("m").text("of the wall since time 0, one value an axis"),
+    visit(Key("within").text("the part of the surface that counts; absent: all of it"),
+          self.within);
+  }
+};
+
+/// A surface on which the displacement is prescribed. Surfaces of shapes end where they meet the
+/// shape of another wall.
+struct WallSettings {
+  std::string name;  // "footing"; errors and reports use it
+  WallKind kind = WallKind::fixed;
+  SurfaceSettings surface;
+  std::vector<Value> displacement;  // m, one value an axis, from where it stands at time 0; numbers
+                                    // and tables carry the wall along, functions of place leave it
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("name").text("name in messages and results"), self.name);
+    visit(Key("kind").text("fixed, roller (free along its face) or tangent (free across it)"),
+          self.kind);
+    SurfaceSettings::describe(self.surface, visit);
+    visit(Key("displacement").unit("m").length(0, 3).text(
+              "of the wall since time 0, one value an axis; empty: it stands"),
           self.displacement);
   }
 };
@@ -57,50 +79,55 @@ struct WallSettings {
 /// A surface on which a traction acts. It does not follow the material.
 struct TractionSettings {
   std::string name;
-  std::vector<Vec3> line;         // m, 2D: open line of points, the material on its left
-  std::array<Value, 3> traction;  // Pa, in the directions of the axes
+  SurfaceSettings surface;
+  std::vector<Value> traction;  // Pa, one value an axis
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("name").text("what errors and reports call it"), self.name);
-    visit(Key("line").unit("m").text("2D: points of an open line, the material on its left"),
-          self.line);
-    visit(Key("traction").unit("Pa").text("force per area, one value an axis"), self.traction);
+    visit(Key("name").text("name in messages and results"), self.name);
+    SurfaceSettings::describe(self.surface, visit);
+    visit(Key("traction").unit("Pa").required().length(1, 3).text(
+              "force per area on the material, one value an axis"),
+          self.traction);
   }
 };
 
-/// Equilibrium under load steps, solved implicitly on the background grid.
+/// Equilibrium under load steps, solved implicitly on the background grid. Small strains; linear
+/// elastic bodies; plane strain in two dimensions.
 struct QuasiStaticSettings {
-  ShapeFunction shape_function = ShapeFunction::gimp;  // linear or gimp
   WallForm wall_form = WallForm::mean_gap;
-  double bandwidth = 1e-3;            // cells; stiff constraint: 4/(3 bandwidth) moduli per cell
-  double gap_bandwidth = 0.05;        // cells; moderate constraint of mean-gap and nitsche
-  double ghost = 0.01;                // ghost stabilisation of cut and surface cells; 0: none
-  bool hold_empty_cells = true;       // a wall in an empty cell next to material keeps its hold
-  double largest_penetration = 0.5;   // cells; a point further behind a wall fails the load step
-  std::array<Value, 3> body_force;    // N/m3
-  double tolerance = 1e-10;           // of the out-of-balance force, relative
-  int largest_iterations = 12;        // of Newton's method in one load step
-  int largest_halvings = 6;           // of a load step that fails
+  std::optional<double> bandwidth;   // cells, of the stiff constraint; 1e-3, literal 1e-6
+  double gap_bandwidth = 0.05;       // cells, of the moderate constraint: mean-gap and nitsche
+  std::optional<double> ghost;       // stabilisation of cut and surface cells; 0.01, literal 0
+  bool hold_empty_cells = true;      // a wall in an empty cell next to material keeps its hold
+  double largest_penetration = 0.5;  // cells; a point further behind a wall fails the load step
+  std::vector<Value> body_force;     // N/m3, one value an axis
+  double tolerance = 1e-10;          // of the out-of-balance force, relative
+  int largest_iterations = 12;       // of Newton's method in one load step
+  int largest_halvings = 6;          // of a load step that fails
   std::vector<WallSettings> walls;
   std::vector<TractionSettings> tractions;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("shape_function").text("linear or gimp"), self.shape_function);
-    visit(Key("wall_form").text("pointwise, mean-gap, nitsche or penalty"), self.wall_form);
-    visit(Key("bandwidth").unit("cells").range(0.0, 1.0, true).text("of the stiff constraint"),
+    visit(Key("wall_form").text("how walls are imposed where they do not fit the grid"),
+          self.wall_form);
+    visit(Key("bandwidth").unit("cells").range(0.0, 1.0, true).text(
+              "of the stiff constraint; absent: 1e-3, literal 1e-6"),
           self.bandwidth);
     visit(Key("gap_bandwidth").unit("cells").range(0.0, 1.0, true).text(
               "of the moderate constraint of mean-gap and nitsche"),
           self.gap_bandwidth);
-    visit(Key("ghost").range(0.0, 1.0).text("stabilisation of cut cells"), self.ghost);
+    visit(Key("ghost").range(0.0, 1.0).text(
+              "stabilisation of cut and surface cells; absent: 0.01, literal none"),
+          self.ghost);
     visit(Key("hold_empty_cells").text("a wall in an empty cell next to material keeps its hold"),
           self.hold_empty_cells);
     visit(Key("largest_penetration").unit("cells").positive().text(
               "a point further behind a wall fails the load step"),
           self.largest_penetration);
-    visit(Key("body_force").unit("N/m3").text("one value an axis"), self.body_force);
+    visit(Key("body_force").unit("N/m3").length(0, 3).text("force per volume, one value an axis"),
+          self.body_force);
     visit(Key("tolerance").range(0.0, 1e-2, true).text("of the out-of-balance force, relative"),
           self.tolerance);
     visit(Key("largest_iterations").range(1, 1000).text("of Newton's method in one load step"),

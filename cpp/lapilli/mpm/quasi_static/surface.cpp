@@ -238,7 +238,7 @@ std::optional<Vec<Dim>> normal_of(const Piece<Dim>& piece, const Vec<Dim>& towar
   if (size < 1e-14 * cell_size * cell_size) {
     return std::nullopt;
   }
-  return Vec<Dim>(normal.dot(towards) < 0.0 ? -normal / size : normal / size);
+  return Vec<Dim>((normal.dot(towards) < 0.0 ? -1.0 : 1.0) / size * normal);
 }
 
 /// The simplices of a cell: corners as bit patterns of the upper side along each axis (Kuhn).

@@ -8,6 +8,7 @@ WallScheme WallScheme::of(WallForm form, double bandwidth, double gap_bandwidth)
   const double stiff = 4.0 / (3.0 * bandwidth), moderate = 4.0 / (3.0 * gap_bandwidth);
   switch (form) {
     case WallForm::pointwise:
+    case WallForm::literal:
       return {0.0, stiff, 1.0};
     case WallForm::nitsche:
       return {0.0, moderate, 1.0};

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lapilli/core/physics.hpp"
+#include "lapilli/core/points.hpp"
+#include "lapilli/mpm/quasi_static/equilibrium.hpp"
+#include "lapilli/mpm/quasi_static/moving_surface.hpp"
+#include "lapilli/mpm/quasi_static/settings.hpp"
+#include "lapilli/mpm/shape_function.hpp"
+
+namespace lapilli {
+
+/// Quasi-static equilibrium of elastic bodies by the implicit material point method, with walls that
+/// do not fit the grid (Cortis et al. 2018, corrected). One step of the clock is one load step; a
+/// step that fails is halved, and the points keep the last state that converged.
+/// Not modelled: inertia, large strains (volumes stay), friction, walls that let go.
+template <int Dim>
+class QuasiStatic final : public Physics {
+ public:
+  /// `materials` by body. `points` must outlive the physics, which moves them. Throws
+  /// std::invalid_argument for settings that cannot be used and for walls that cut no material.
+  QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFunction shape_function,
+              std::vector<LinearElastic> materials, QuasiStaticSettings settings);
+
+  std::string name() const override { return "quasi_static"; }
+  StepLimit step_limit() const override;
+  StepReport advance(const Step& step) override;
+  std::vector<Field> fields() override;
+  void save(Archive& archive) const override;
+  void load(const Archive& archive) override;
+  /// Of the last load step: residual, iterations, pivots, condition estimate, halvings, penetration,
+  /// force of each wall on the material.
+  std::vector<std::pair<std::string, double>> diagnostics() const override;
+
+  /// Force of each wall on the material in the last load step, N (per metre thickness in 2D).
+  std::span<const Vec<Dim>> wall_forces() const { return wall_forces_; }
+  std::span<const double> stress() const { return stress_.values(); }  // rows x 6, Pa
+  std::span<const double> displacement() const { return displacement_.values(); }  // rows x Dim, m
+
+ private:
+  struct Report {
+    NewtonReport newton;
+    PivotReport pivots;
+    double condition = 0.0;
+    double penetration = 0.0;  // m, deepest point behind a wall it was in front of
+    int halvings = 0;
+  };
+
+  void locate_points();
+  std::vector<Facet<Dim>> cut_walls(CellState<Dim>& state, double time) const;
+  Loads<Dim> collect_loads(CellState<Dim>& state, double from, double to) const;
+  Report attempt(double from, double to);
+  void require_positive(const PivotReport& pivots) const;
+  double deepest_penetration(const std::vector<Vec<Dim>>& moves, double from, double to) const;
+  void update_points(const Equilibrium<Dim>& equilibrium, const Eigen::VectorXd& u,
+                     const std::vector<Vec<Dim>>& moves);
+
+  Points& points_;
+  Grid<Dim> grid_;
+  std::vector<LinearElastic> materials_;
+  QuasiStaticSettings settings_;
+  WallScheme scheme_;
+  double ghost_ = 0.0;
+  std::vector<MovingSurface<Dim>> walls_, tractions_;
+  std::vector<WallKind> kinds_;
+  std::vector<std::string> names_;
+
+  PointArray stress_;                       // Pa, rows x 6
+  PointArray displacement_;                 // m, rows x Dim
+  std::unique_ptr<PointArray> half_width_;  // m, rows x Dim, of GIMP
+  std::vector<Vec<Dim>> wall_forces_;
+  Report report_;
+
+  PointWeights<Dim> weights_;
+  Index located_version_ = -1;
+  NodeSystem<Dim> system_;
+  DirectSolver solver_;
+};
+
+/// Quasi-static physics for points of two or three dimensions on a grid with the given corners.
+/// Throws std::invalid_argument as `QuasiStatic` and `Grid` do.
+std::unique_ptr<Physics> make_quasi_static(Points& points, const Vec3& lower, const Vec3& upper,
+                                           double cell, ShapeFunction shape_function,
+                                           std::vector<LinearElastic> materials,
+                                           QuasiStaticSettings settings);
+
+}  // namespace lapilli
