@@ -12,7 +12,8 @@ namespace {
 
 double corner_deflection(double h, int m, const WallScheme& scheme, double ghost, double shift) {
   const Corners c = Rectangle::turned(0.0, {0.0, 0.0}, 100.0, 100.0).corners();
-  const Grid<2> grid(Vec<2>(-shift, 0.0), Vec<2>(100.0 - shift + (shift > 0.0 ? h : 0.0), 100.0), h);
+  const Grid<2> grid(Vec<2>(-shift, 0.0), Vec<2>(100.0 - shift + (shift > 0.0 ? h : 0.0), 100.0),
+                     h);
   LinearProblem problem(grid, polygon(c), m);
   problem.solve({{{c[3], c[0]}, WallKind::fixed}}, scheme, ghost, {0.0, -1.0});
   // The corner's displacement from the linear functions of its cell.
@@ -30,9 +31,8 @@ double corner_deflection(double h, int m, const WallScheme& scheme, double ghost
 TEST_CASE("deep beam: error against points per cell (Table 2)") {
   // The paper's numbers to 1e-7; its entry for 40 x 40 breaks its own 1/m^2 law and is replaced.
   const double fe = -28.0786326;
-  const std::vector<std::pair<int, double>> table{{3, 1.6653e-3},   {5, 5.9450e-4},
-                                                  {10, 1.4812e-4},  {15, 6.5788e-5},
-                                                  {20, 3.6998e-5},  {25, 2.3676e-5},
+  const std::vector<std::pair<int, double>> table{{3, 1.6653e-3},  {5, 5.9450e-4},  {10, 1.4812e-4},
+                                                  {15, 6.5788e-5}, {20, 3.6998e-5}, {25, 2.3676e-5},
                                                   {40, 9.2753e-6}};
   for (const auto& [m, paper] : table) {
     const double error = corner_deflection(10.0, m, literal_scheme, 0.0, 0.0) / fe - 1.0;

@@ -91,7 +91,8 @@ TEST_CASE("inclined cantilever: mean gaps do not lock") {
 }
 
 TEST_CASE("inclined cantilever: the paper's form locks") {
-  // What the default is measured against: ten points, stiff everywhere, 10 % too stiff at 45 degrees.
+  // What the default is measured against: ten points, stiff everywhere, 10 % too stiff at 45
+  // degrees.
   const double locked =
       compliance_error(45.0, 2.0, WallScheme::of(WallForm::pointwise, 1e-6, 0.05), 0.01);
   CHECK(locked < -0.08);

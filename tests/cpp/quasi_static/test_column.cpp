@@ -1,6 +1,6 @@
 // A square of 100 mm under its own weight, turned with its gravity, on rollers at both sides and
-// below. Exact: u = -(b/M)(L y - y^2/2), stress -b (L - y) along gravity. The convergence test that a
-// patch test cannot be.
+// below. Exact: u = -(b/M)(L y - y^2/2), stress -b (L - y) along gravity. The convergence test that
+// a patch test cannot be.
 #include <catch2/catch.hpp>
 
 #include "quasi_static/scenes.hpp"
@@ -47,10 +47,9 @@ TEST_CASE("turned column: displacement converges at second order, stress at firs
     double page_displacement, page_stress;  // at h = 10
   };
   const WallScheme stiff = WallScheme::of(WallForm::mean_gap, 1e-6, 0.05);
-  for (const Row& row : {Row{0.0, default_scheme, 2.4e-3, 4.6e-2},
-                         Row{20.0, default_scheme, 2.1e-3, 3.8e-2},
-                         Row{45.0, default_scheme, 9.6e-4, 2.2e-2},
-                         Row{45.0, stiff, 9.6e-4, 2.2e-2}}) {
+  for (const Row& row :
+       {Row{0.0, default_scheme, 2.4e-3, 4.6e-2}, Row{20.0, default_scheme, 2.1e-3, 3.8e-2},
+        Row{45.0, default_scheme, 9.6e-4, 2.2e-2}, Row{45.0, stiff, 9.6e-4, 2.2e-2}}) {
     const ColumnErrors coarse = solve_column(row.degrees, 10.0, row.scheme);
     const ColumnErrors middle = solve_column(row.degrees, 5.0, row.scheme);
     const ColumnErrors fine = solve_column(row.degrees, 2.5, row.scheme);

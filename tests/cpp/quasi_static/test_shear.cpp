@@ -1,5 +1,6 @@
-// Cortis et al. 5.3: simple shear of a 100 mm square on two cells of 100 mm. Both ends are fixed walls
-// that slide over the grid; top and bottom hold the motion along their face. Exact shear stress.
+// Cortis et al. 5.3: simple shear of a 100 mm square on two cells of 100 mm. Both ends are fixed
+// walls that slide over the grid; top and bottom hold the motion along their face. Exact shear
+// stress.
 #include <catch2/catch.hpp>
 
 #include "quasi_static/scenes.hpp"

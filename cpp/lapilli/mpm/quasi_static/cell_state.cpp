@@ -72,8 +72,8 @@ std::vector<Facet<Dim>> facets_at_material(const Grid<Dim>& grid, CellState<Dim>
     if (!hold_empty_cells) {
       return true;
     }
-    const Index inner = grid.cell_index(grid.cell_containing(
-        facet.centre() + look_in * grid.cell_size() * facet.normal()));
+    const Index inner = grid.cell_index(
+        grid.cell_containing(facet.centre() + look_in * grid.cell_size() * facet.normal()));
     if (inner < 0 || inner >= grid.cell_count() || !state.occupied[inner]) {
       return true;
     }
@@ -123,8 +123,8 @@ template std::vector<Facet<2>> facets_at_material(const Grid<2>&, CellState<2>&,
 template std::vector<Facet<3>> facets_at_material(const Grid<3>&, CellState<3>&,
                                                   std::vector<Facet<3>>, bool);
 template std::array<std::vector<CellBox<2>>, 2> ghost_pairs<2>(const Grid<2>&, const CellState<2>&,
-                                                            std::span<const Facet<2>>);
+                                                               std::span<const Facet<2>>);
 template std::array<std::vector<CellBox<3>>, 3> ghost_pairs<3>(const Grid<3>&, const CellState<3>&,
-                                                            std::span<const Facet<3>>);
+                                                               std::span<const Facet<3>>);
 
 }  // namespace lapilli

@@ -12,10 +12,10 @@ namespace lapilli {
 /// it. A cell that only the domain of a point reaches is occupied too.
 template <int Dim>
 struct CellState {
-  std::vector<char> occupied;     // one a cell
-  std::vector<double> lame;       // Pa
-  std::vector<double> shear;      // Pa
-  std::vector<double> youngs;     // Pa
+  std::vector<char> occupied;  // one a cell
+  std::vector<double> lame;    // Pa
+  std::vector<double> shear;   // Pa
+  std::vector<double> youngs;  // Pa
 
   CellState(const Grid<Dim>& grid, const Points& points, const PointWeights<Dim>& weights,
             std::span<const LinearElastic> materials);
@@ -31,8 +31,8 @@ template <int Dim>
 std::vector<Facet<Dim>> facets_at_material(const Grid<Dim>& grid, CellState<Dim>& state,
                                            std::vector<Facet<Dim>> facets, bool hold_empty_cells);
 
-/// The pairs of neighbouring cells, cut by a facet or at the edge of the material, whose common face
-/// ghost stabilisation acts on; `boxes` along each axis.
+/// The pairs of neighbouring cells, cut by a facet or at the edge of the material, whose common
+/// face ghost stabilisation acts on; `boxes` along each axis.
 template <int Dim>
 std::array<std::vector<CellBox<Dim>>, Dim> ghost_pairs(const Grid<Dim>& grid,
                                                        const CellState<Dim>& state,

@@ -10,10 +10,10 @@ namespace lapilli {
 
 /// What a factorisation K = L D L^T says of its matrix.
 struct PivotReport {
-  double smallest = 0.0;        // smallest pivot
-  double largest = 0.0;         // largest pivot
-  Index smallest_unknown = 0;   // where the smallest is
-  Index not_positive = 0;       // pivots that are not positive; 0: the matrix is positive definite
+  double smallest = 0.0;       // smallest pivot
+  double largest = 0.0;        // largest pivot
+  Index smallest_unknown = 0;  // where the smallest is
+  Index not_positive = 0;      // pivots that are not positive; 0: the matrix is positive definite
 };
 
 /// Sparse L D L^T of a symmetric matrix given by its lower triangle, already in elimination order.

@@ -326,8 +326,8 @@ std::vector<Vec<Dim>> Equilibrium<Dim>::wall_forces(const Eigen::VectorXd& u, in
   for (const WallTerm<Dim>& wall : loads_.walls) {
     Vec<Dim>& force = forces[wall.wall];
     for_each_node(grid_, wall.box, [&](int a, Index node) {
-      force -= wall.reaction.template middleCols<Dim>(Dim * a) *
-               u.segment<Dim>(Dim * system_.row(node));
+      force -=
+          wall.reaction.template middleCols<Dim>(Dim * a) * u.segment<Dim>(Dim * system_.row(node));
     });
     force += wall.given;
   }

@@ -12,16 +12,16 @@ namespace lapilli {
 /// The loads of one load step, at its end.
 template <int Dim>
 struct Loads {
-  std::vector<Vec<Dim>> body_force;       // N/m3, one a point; empty: none
-  std::vector<WallTerm<Dim>> walls;       //
-  std::vector<Facet<Dim>> traction_faces; //
+  std::vector<Vec<Dim>> body_force;              // N/m3, one a point; empty: none
+  std::vector<WallTerm<Dim>> walls;              //
+  std::vector<Facet<Dim>> traction_faces;        //
   std::vector<std::vector<Vec<Dim>>> tractions;  // Pa, one a point of each face
   std::array<std::vector<CellBox<Dim>>, Dim> ghost_pairs;
   double ghost = 0.0;
 };
 
-/// Equilibrium of the nodes of the background grid in one load step. The unknown is the displacement
-/// increment of the nodes; stresses at its start are given. Small strains.
+/// Equilibrium of the nodes of the background grid in one load step. The unknown is the
+/// displacement increment of the nodes; stresses at its start are given. Small strains.
 ///
 /// Solves  int B^T sigma(u) + walls(u) + ghost(u) = body force + traction.
 template <int Dim>

@@ -87,9 +87,8 @@ MovingSurface<Dim>::MovingSurface(const SurfaceSettings& settings,
             ": two neighbouring points of the line coincide at (", point[0], ", ", point[1], ")");
   }
   for (const Value& value : displacement_) {
-    require(!value.is_constant() || value.at(0.0) == 0.0, what_,
-            ": a constant displacement of ", value.at(0.0),
-            " m moves nothing; give a table in time, from 0 at the start");
+    require(!value.is_constant() || value.at(0.0) == 0.0, what_, ": a constant displacement of ",
+            value.at(0.0), " m moves nothing; give a table in time, from 0 at the start");
   }
   if (Dim == 2 && shape_) {
     if (auto corners = outline(*shape_)) {
@@ -165,9 +164,9 @@ std::optional<double> MovingSurface<Dim>::gap(const Vec3& place, double time) co
 }
 
 template <int Dim>
-std::vector<Facet<Dim>> MovingSurface<Dim>::cut(const Grid<Dim>& grid, std::span<const char> cells,
-                                                int number, double time,
-                                                std::span<const MovingSurface* const> solids) const {
+std::vector<Facet<Dim>> MovingSurface<Dim>::cut(
+    const Grid<Dim>& grid, std::span<const char> cells, int number, double time,
+    std::span<const MovingSurface* const> solids) const {
   std::vector<std::function<double(const Vec3&)>> trims;
   if (within_) {
     const Vec<Dim> by = offset(time);
@@ -195,7 +194,9 @@ std::vector<Facet<Dim>> MovingSurface<Dim>::cut(const Grid<Dim>& grid, std::span
   }
   const Vec<Dim> by = offset(time);
   const LevelSet level_set{
-      [&](const Vec3& place) { return side_ * lapilli::distance(*shape_, shifted<Dim>(place, by)); },
+      [&](const Vec3& place) {
+        return side_ * lapilli::distance(*shape_, shifted<Dim>(place, by));
+      },
       [&](const Vec3& place) {
         return Vec3(side_ * lapilli::gradient(*shape_, shifted<Dim>(place, by)));
       }};

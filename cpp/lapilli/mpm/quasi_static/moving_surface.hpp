@@ -28,8 +28,8 @@ class MovingSurface {
   bool is_solid() const { return shape_.has_value(); }
   /// Distance of a place from the solid at a time, positive on the side of the material, m.
   double distance(const Vec3& place, double time) const;
-  /// Distance of a place from the surface on the side of the material (m) if the place is in front of
-  /// or behind it.
+  /// Distance of a place from the surface on the side of the material (m) if the place is in front
+  /// of or behind it.
   std::optional<double> gap(const Vec3& place, double time) const;
 
   /// Cut it at the cells marked in `cells`, where it stands at `time`; `solids` end it.
@@ -41,8 +41,8 @@ class MovingSurface {
 
   std::string what_;
   std::optional<Shape> shape_, within_;
-  double side_ = 1.0;            // -1: the material is inside the shape
-  std::vector<Vec<2>> line_;     // open line, or the closed outline of a shape with straight sides
+  double side_ = 1.0;         // -1: the material is inside the shape
+  std::vector<Vec<2>> line_;  // open line, or the closed outline of a shape with straight sides
   std::vector<Value> displacement_;
 };
 

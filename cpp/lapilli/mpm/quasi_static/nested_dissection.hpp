@@ -24,6 +24,7 @@ struct NodeGraph {
 /// of the cut come last, and each half is cut again (George 1973). Returns the nodes in that order.
 /// `place` holds the integer coordinates of each node; the graph may couple any of them, but the
 /// order is good only when couplings are short.
-std::vector<int> nested_dissection(const NodeGraph& graph, std::span<const std::array<int, 3>> place);
+std::vector<int> nested_dissection(const NodeGraph& graph,
+                                   std::span<const std::array<int, 3>> place);
 
 }  // namespace lapilli

@@ -23,8 +23,8 @@ struct Imbalance {
 /// tangent there. Runs until the relative imbalance is within `tolerance`, at least two iterations
 /// so that the second refines the solve of the first, and stops where a correction no longer helps.
 template <class Residual, class Correction>
-NewtonReport solve_newton(Eigen::VectorXd& u, const Residual& residual, const Correction& correction,
-                          double tolerance, int largest_iterations) {
+NewtonReport solve_newton(Eigen::VectorXd& u, const Residual& residual,
+                          const Correction& correction, double tolerance, int largest_iterations) {
   constexpr int least_iterations = 2;
   NewtonReport report;
   Imbalance imbalance = residual(u);

@@ -11,9 +11,9 @@ namespace lapilli {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
-/// The symmetric matrix of the nodes that carry stiffness: its lower triangle, with nodes numbered in
-/// the order in which a direct solver eliminates them. Unknown `Dim * row + axis` belongs to node
-/// `nodes()[row]`.
+/// The symmetric matrix of the nodes that carry stiffness: its lower triangle, with nodes numbered
+/// in the order in which a direct solver eliminates them. Unknown `Dim * row + axis` belongs to
+/// node `nodes()[row]`.
 template <int Dim>
 class NodeSystem {
  public:
@@ -44,9 +44,9 @@ class NodeSystem {
 
   std::vector<CellBox<Dim>> boxes_;
   std::vector<Index> nodes_;
-  std::vector<int> row_;         // of every grid node
-  std::vector<Index> start_;     // of the rows below and on the diagonal of each node
-  std::vector<int> below_;       //
+  std::vector<int> row_;      // of every grid node
+  std::vector<Index> start_;  // of the rows below and on the diagonal of each node
+  std::vector<int> below_;    //
   SparseMatrix lower_;
 };
 

@@ -25,7 +25,8 @@ template <int Dim, int Support>
 void combine(const CellBox<Dim>& box, const double (&value)[Dim][Support],
              const double (&gradient)[Dim][Support], double inverse_cell, double* values,
              Vec<Dim>* gradients) {
-  const int nx = box.cells[0] + 1, ny = box.cells[1] + 1, nz = Dim == 3 ? box.cells[Dim - 1] + 1 : 1;
+  const int nx = box.cells[0] + 1, ny = box.cells[1] + 1,
+            nz = Dim == 3 ? box.cells[Dim - 1] + 1 : 1;
   int k = 0;
   for (int l = 0; l < nz; ++l) {
     for (int j = 0; j < ny; ++j) {

@@ -152,9 +152,9 @@ void QuasiStatic<Dim>::locate_points() {
   if (located_version_ == points_.version()) {
     return;
   }
-  weights_.build(grid_, points_,
-                 half_width_ ? std::span<const double>(half_width_->values())
-                             : std::span<const double>());
+  weights_.build(
+      grid_, points_,
+      half_width_ ? std::span<const double>(half_width_->values()) : std::span<const double>());
   located_version_ = points_.version();
 }
 
@@ -167,9 +167,9 @@ std::vector<Facet<Dim>> QuasiStatic<Dim>::cut_walls(CellState<Dim>& state, doubl
   }
   std::vector<Facet<Dim>> all;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    std::vector<Facet<Dim>> facets =
-        facets_at_material(grid_, state, walls_[w].cut(grid_, near, static_cast<int>(w), time, solids),
-                           settings_.hold_empty_cells);
+    std::vector<Facet<Dim>> facets = facets_at_material(
+        grid_, state, walls_[w].cut(grid_, near, static_cast<int>(w), time, solids),
+        settings_.hold_empty_cells);
     if (facets.empty()) {
       throw RunError(message(walls_[w].what(), " cuts no material",
                              settings_.hold_empty_cells ? "" : " (hold_empty_cells is off)",
@@ -212,7 +212,8 @@ Loads<Dim> QuasiStatic<Dim>::collect_loads(CellState<Dim>& state, double from, d
     }
   }
   for (std::size_t t = 0; t < tractions_.size(); ++t) {
-    for (Facet<Dim>& facet : tractions_[t].cut(grid_, state.occupied, static_cast<int>(t), to, {})) {
+    for (Facet<Dim>& facet :
+         tractions_[t].cut(grid_, state.occupied, static_cast<int>(t), to, {})) {
       loads.tractions.emplace_back(facet.points.size(), Vec<Dim>::Zero());
       std::vector<Vec3> places;
       for (const auto& point : facet.points) {
@@ -249,12 +250,12 @@ void QuasiStatic<Dim>::require_positive(const PivotReport& pivots) const {
       near = wall.what();
     }
   }
-  throw RunError(message(
-      "the stiffness matrix is not positive definite: ", pivots.not_positive, " of ",
-      system_.unknowns(), " pivots, the smallest ", pivots.smallest, " at the node near ",
-      place.transpose(), " m, next to ", near,
-      ": cells cut to slivers need ghost stabilisation (ghost = 0.01), nitsche a smaller "
-      "gap_bandwidth"));
+  throw RunError(
+      message("the stiffness matrix is not positive definite: ", pivots.not_positive, " of ",
+              system_.unknowns(), " pivots, the smallest ", pivots.smallest, " at the node near ",
+              place.transpose(), " m, next to ", near,
+              ": cells cut to slivers need ghost stabilisation (ghost = 0.01), nitsche a smaller "
+              "gap_bandwidth"));
 }
 
 template <int Dim>
@@ -305,8 +306,8 @@ void QuasiStatic<Dim>::update_points(const Equilibrium<Dim>& equilibrium, const 
       displacement_[Dim * p + axis] += moves[p][axis];
       if (half_width_) {
         double& width = (*half_width_)[Dim * p + axis];
-        width = std::clamp(width * (1.0 + strain[axis]), least_half_width * h,
-                           largest_half_width * h);
+        width =
+            std::clamp(width * (1.0 + strain[axis]), least_half_width * h, largest_half_width * h);
       }
     }
   });
@@ -315,7 +316,8 @@ void QuasiStatic<Dim>::update_points(const Equilibrium<Dim>& equilibrium, const 
 
 template <int Dim>
 std::vector<Field> QuasiStatic<Dim>::fields() {
-  return {{"displacement", "m", Dim, displacement_.values()}, {"stress", "Pa", 6, stress_.values()}};
+  return {{"displacement", "m", Dim, displacement_.values()},
+          {"stress", "Pa", 6, stress_.values()}};
 }
 
 template <int Dim>
@@ -340,12 +342,9 @@ void QuasiStatic<Dim>::load(const Archive& archive) {
 template <int Dim>
 std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() const {
   std::vector<std::pair<std::string, double>> numbers{
-      {"iterations", report_.newton.iterations},
-      {"residual", report_.newton.residual},
-      {"smallest pivot", report_.pivots.smallest},
-      {"largest pivot", report_.pivots.largest},
-      {"condition estimate", report_.condition},
-      {"halvings", report_.halvings},
+      {"iterations", report_.newton.iterations},    {"residual", report_.newton.residual},
+      {"smallest pivot", report_.pivots.smallest},  {"largest pivot", report_.pivots.largest},
+      {"condition estimate", report_.condition},    {"halvings", report_.halvings},
       {"deepest penetration", report_.penetration},
   };
   const char* axes[] = {"x", "y", "z"};
@@ -368,9 +367,9 @@ std::unique_ptr<Physics> make_quasi_static(Points& points, const Vec3& lower, co
   }
   require(points.dimension() == 2, "quasi_static needs two or three dimensions, got ",
           points.dimension());
-  return std::make_unique<QuasiStatic<2>>(
-      points, Grid<2>(lower.head<2>(), upper.head<2>(), cell), shape_function, std::move(materials),
-      std::move(settings));
+  return std::make_unique<QuasiStatic<2>>(points, Grid<2>(lower.head<2>(), upper.head<2>(), cell),
+                                          shape_function, std::move(materials),
+                                          std::move(settings));
 }
 
 template class QuasiStatic<2>;

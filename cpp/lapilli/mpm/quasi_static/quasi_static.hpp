@@ -13,10 +13,10 @@
 
 namespace lapilli {
 
-/// Quasi-static equilibrium of elastic bodies by the implicit material point method, with walls that
-/// do not fit the grid (Cortis et al. 2018, corrected). One step of the clock is one load step; a
-/// step that fails is halved, and the points keep the last state that converged.
-/// Not modelled: inertia, large strains (volumes stay), friction, walls that let go.
+/// Quasi-static equilibrium of elastic bodies by the implicit material point method, with walls
+/// that do not fit the grid (Cortis et al. 2018, corrected). One step of the clock is one load
+/// step; a step that fails is halved, and the points keep the last state that converged. Not
+/// modelled: inertia, large strains (volumes stay), friction, walls that let go.
 template <int Dim>
 class QuasiStatic final : public Physics {
  public:
@@ -31,13 +31,13 @@ class QuasiStatic final : public Physics {
   std::vector<Field> fields() override;
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
-  /// Of the last load step: residual, iterations, pivots, condition estimate, halvings, penetration,
-  /// force of each wall on the material.
+  /// Of the last load step: residual, iterations, pivots, condition estimate, halvings,
+  /// penetration, force of each wall on the material.
   std::vector<std::pair<std::string, double>> diagnostics() const override;
 
   /// Force of each wall on the material in the last load step, N (per metre thickness in 2D).
   std::span<const Vec<Dim>> wall_forces() const { return wall_forces_; }
-  std::span<const double> stress() const { return stress_.values(); }  // rows x 6, Pa
+  std::span<const double> stress() const { return stress_.values(); }              // rows x 6, Pa
   std::span<const double> displacement() const { return displacement_.values(); }  // rows x Dim, m
 
  private:

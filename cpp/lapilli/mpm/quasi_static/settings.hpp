@@ -15,9 +15,8 @@ enum class WallKind { fixed, roller, tangent };
 
 template <>
 struct Names<WallKind> {
-  static constexpr std::pair<WallKind, const char*> values[] = {{WallKind::fixed, "fixed"},
-                                                                {WallKind::roller, "roller"},
-                                                                {WallKind::tangent, "tangent"}};
+  static constexpr std::pair<WallKind, const char*> values[] = {
+      {WallKind::fixed, "fixed"}, {WallKind::roller, "roller"}, {WallKind::tangent, "tangent"}};
 };
 
 /// How a wall that does not fit the grid is imposed.
@@ -70,8 +69,10 @@ struct WallSettings {
     visit(Key("kind").text("fixed, roller (free along its face) or tangent (free across it)"),
           self.kind);
     SurfaceSettings::describe(self.surface, visit);
-    visit(Key("displacement").unit("m").length(0, 3).text(
-              "of the wall since time 0, one value an axis; empty: it stands"),
+    visit(Key("displacement")
+              .unit("m")
+              .length(0, 3)
+              .text("of the wall since time 0, one value an axis; empty: it stands"),
           self.displacement);
   }
 };
@@ -86,8 +87,11 @@ struct TractionSettings {
   static void describe(Self& self, Visitor& visit) {
     visit(Key("name").text("name in messages and results"), self.name);
     SurfaceSettings::describe(self.surface, visit);
-    visit(Key("traction").unit("Pa").required().length(1, 3).text(
-              "force per area on the material, one value an axis"),
+    visit(Key("traction")
+              .unit("Pa")
+              .required()
+              .length(1, 3)
+              .text("force per area on the material, one value an axis"),
           self.traction);
   }
 };
@@ -112,19 +116,25 @@ struct QuasiStaticSettings {
   static void describe(Self& self, Visitor& visit) {
     visit(Key("wall_form").text("how walls are imposed where they do not fit the grid"),
           self.wall_form);
-    visit(Key("bandwidth").unit("cells").range(0.0, 1.0, true).text(
-              "of the stiff constraint; absent: 1e-3, literal 1e-6"),
+    visit(Key("bandwidth")
+              .unit("cells")
+              .range(0.0, 1.0, true)
+              .text("of the stiff constraint; absent: 1e-3, literal 1e-6"),
           self.bandwidth);
-    visit(Key("gap_bandwidth").unit("cells").range(0.0, 1.0, true).text(
-              "of the moderate constraint of mean-gap and nitsche"),
+    visit(Key("gap_bandwidth")
+              .unit("cells")
+              .range(0.0, 1.0, true)
+              .text("of the moderate constraint of mean-gap and nitsche"),
           self.gap_bandwidth);
     visit(Key("ghost").range(0.0, 1.0).text(
               "stabilisation of cut and surface cells; absent: 0.01, literal none"),
           self.ghost);
     visit(Key("hold_empty_cells").text("a wall in an empty cell next to material keeps its hold"),
           self.hold_empty_cells);
-    visit(Key("largest_penetration").unit("cells").positive().text(
-              "a point further behind a wall fails the load step"),
+    visit(Key("largest_penetration")
+              .unit("cells")
+              .positive()
+              .text("a point further behind a wall fails the load step"),
           self.largest_penetration);
     visit(Key("body_force").unit("N/m3").length(0, 3).text("force per volume, one value an axis"),
           self.body_force);

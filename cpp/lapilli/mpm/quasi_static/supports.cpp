@@ -119,7 +119,9 @@ void require_held(const Grid<Dim>& grid, const Points& points, const PointWeight
   for (const auto& group : weights.groups()) {
     join(group.box);
   }
-  const auto root_of = [&](const CellBox<Dim>& box) { return nodes.root(grid.node_index(box.first)); };
+  const auto root_of = [&](const CellBox<Dim>& box) {
+    return nodes.root(grid.node_index(box.first));
+  };
   std::map<Index, Part<Dim>> parts;
   for (const auto& group : weights.groups()) {
     Part<Dim>& part = parts[root_of(group.box)];
@@ -149,7 +151,8 @@ void require_held(const Grid<Dim>& grid, const Points& points, const PointWeight
       continue;
     }
     for (const auto& point : facet.points) {
-      const Motions<Dim> motions = motions_at<Dim>((point.position - part->middle()) / part->size());
+      const Motions<Dim> motions =
+          motions_at<Dim>((point.position - part->middle()) / part->size());
       part->held += point.weight * motions.transpose() *
                     held_directions<Dim>(kinds[facet.surface], point.normal) * motions;
       part->area += point.weight;
@@ -185,9 +188,7 @@ void require_agreeing(const Grid<Dim>& grid, std::span<const Facet<Dim>> facets,
     by_cell[grid.cell_index(facets[f].cell)].push_back(f);
   }
   const double near = 1e-6 * grid.cell_size();
-  const auto size = [](const Facet<Dim>& facet) {
-    return std::pow(facet.area(), 1.0 / (Dim - 1));
-  };
+  const auto size = [](const Facet<Dim>& facet) { return std::pow(facet.area(), 1.0 / (Dim - 1)); };
   for (const auto& [cell, members] : by_cell) {
     for (std::size_t a : members) {
       for (std::size_t b : members) {

@@ -76,7 +76,8 @@ Piece<Dim> trim(const Piece<Dim>& piece, const std::function<double(const Vec3&)
       const auto along = [&](double share) {
         return region(in_space<Dim>(piece[k] + share * (piece[next] - piece[k])));
       };
-      kept.push_back(piece[k] + zero_between(along, value[k], value[next]) * (piece[next] - piece[k]));
+      kept.push_back(piece[k] +
+                     zero_between(along, value[k], value[next]) * (piece[next] - piece[k]));
     }
   }
   return kept;
@@ -131,16 +132,16 @@ void add_points(const Piece<Dim>& piece, const Vec<Dim>& normal,
     for (std::size_t k = 1; k + 1 < piece.size(); ++k) {
       const double area = 0.5 * (piece[k] - piece[0]).cross(piece[k + 1] - piece[0]).norm();
       for (const FlatPoint& rule : flat_rule<3>()) {
-        points.push_back({rule.share[0] * piece[0] + rule.share[1] * piece[k] +
-                              rule.share[2] * piece[k + 1],
-                          normal, rule.weight * area});
+        points.push_back(
+            {rule.share[0] * piece[0] + rule.share[1] * piece[k] + rule.share[2] * piece[k + 1],
+             normal, rule.weight * area});
       }
     }
   }
 }
 
-/// Move a point of a flat piece onto the surface along the normal of the piece, and let it stand for
-/// the surface above its part of the piece. Stays where it is at an edge.
+/// Move a point of a flat piece onto the surface along the normal of the piece, and let it stand
+/// for the surface above its part of the piece. Stays where it is at an edge.
 template <int Dim>
 void put_on_surface(const LevelSet& surface, double cell_size, SurfacePoint<Dim>& point) {
   constexpr double least_cosine = 0.5;
@@ -201,10 +202,10 @@ Piece<Dim> cut_simplex(const std::array<Vec<Dim>, Dim + 1>& corner,
       std::swap(a, b);
     }
     const Vec<Dim> along = corner[b] - corner[a];
-    return Vec<Dim>(corner[a] + along * zero_between([&](double share) {
-                                  return function(corner[a] + share * along);
-                                },
-                                                     value[a], value[b]));
+    return Vec<Dim>(
+        corner[a] +
+        along * zero_between([&](double share) { return function(corner[a] + share * along); },
+                             value[a], value[b]));
   };
   Piece<Dim> piece;
   if (in_count == 0 || out_count == 0) {
@@ -324,8 +325,7 @@ std::vector<Facet<Dim>> cut_level_set(const Grid<Dim>& grid, std::span<const cha
       if (piece.empty()) {
         continue;
       }
-      const Vec<Dim> towards =
-          surface.normal(in_space<Dim>(piece[0])).template head<Dim>();
+      const Vec<Dim> towards = surface.normal(in_space<Dim>(piece[0])).template head<Dim>();
       const auto normal = normal_of<Dim>(piece, towards, h);
       if (!normal) {
         continue;

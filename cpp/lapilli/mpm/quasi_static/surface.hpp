@@ -56,14 +56,14 @@ struct LevelSet {
 /// Regions (positive inside, m) outside which a surface does not count.
 using Trims = std::span<const std::function<double(const Vec3&)>>;
 
-/// Cut an open line of points, the material on its left, at every grid line: facets with three Gauss
-/// points each, which integrate products of bilinear functions exactly.
+/// Cut an open line of points, the material on its left, at every grid line: facets with three
+/// Gauss points each, which integrate products of bilinear functions exactly.
 std::vector<Facet<2>> cut_line(const Grid<2>& grid, std::span<const Vec<2>> line, int surface,
                                Trims trims = {});
 
 /// Cut the surface of a level set at the faces of the cells marked in `cells`. Flat parts are cut
-/// exactly. On curved ones the points of integration lie on the surface and carry its normals; edges
-/// and features thinner than half a cell are rounded off.
+/// exactly. On curved ones the points of integration lie on the surface and carry its normals;
+/// edges and features thinner than half a cell are rounded off.
 template <int Dim>
 std::vector<Facet<Dim>> cut_level_set(const Grid<Dim>& grid, std::span<const char> cells,
                                       const LevelSet& surface, int number, Trims trims = {});

@@ -35,16 +35,16 @@ struct WallTerm {
 };
 
 /// The terms of one facet of a wall of `kind` (Cortis et al. Eqs. 22 to 28 without frames; see
-/// docs): K2 + K2^T + K3 and (K2 + K3) g, with the elastic moduli of the facet's cell. `motion` holds
-/// the displacement increment g of the wall at each point of the facet. A facet in an empty cell has
-/// no traction, so no consistency term.
+/// docs): K2 + K2^T + K3 and (K2 + K3) g, with the elastic moduli of the facet's cell. `motion`
+/// holds the displacement increment g of the wall at each point of the facet. A facet in an empty
+/// cell has no traction, so no consistency term.
 template <int Dim>
 WallTerm<Dim> wall_term(const Grid<Dim>& grid, const CellState<Dim>& state, const Facet<Dim>& facet,
                         WallKind kind, std::span<const Vec<Dim>> motion, const WallScheme& scheme);
 
-/// Ghost stabilisation of the face between two cells along `axis`: gamma E h/3 times the integral of
-/// the products of the jumps of the normal derivative (Burman 2010); per unit of gamma E, for one
-/// component, over the nodes of the pair.
+/// Ghost stabilisation of the face between two cells along `axis`: gamma E h/3 times the integral
+/// of the products of the jumps of the normal derivative (Burman 2010); per unit of gamma E, for
+/// one component, over the nodes of the pair.
 template <int Dim>
 Eigen::MatrixXd ghost_matrix(int axis, double cell_size);
 
