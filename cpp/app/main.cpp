@@ -1,3 +1,138 @@
+#include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
+#include <filesystem>
 
-int main() { return 0; }
+#include "lapilli/core/parallel.hpp"
+#include "lapilli/core/require.hpp"
+#include "lapilli/output/output_error.hpp"
+#include "lapilli/scene/build.hpp"
+#include "lapilli/scene/check.hpp"
+#include "lapilli/scene/keys.hpp"
+#include "lapilli/scene/run_scene.hpp"
+#include "lapilli/scene/scene_file.hpp"
+#include "progress.hpp"
+
+namespace {
+
+using namespace lapilli;
+
+enum ExitCode { finished = 0, run_failed = 1, wrong_input = 2, disk_failed = 3, stopped = 130 };
+
+struct Arguments {
+  std::string scene;
+  std::string output;
+  std::vector<std::string> overrides;
+  double every = 0.0;
+  int threads = 0;
+  bool resume = false, check = false, quiet = false, keys = false;
+};
+
+volatile std::sig_atomic_t stop_asked = 0;
+
+// The first signal asks the run to stop after its step; a second one ends the process.
+void ask_to_stop(int signal) {
+  stop_asked = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+void define_arguments(CLI::App& app, Arguments& given) {
+  app.add_option("scene", given.scene, "Scene file (TOML)");
+  app.add_option("--output", given.output, "File of frames for ParaView (.vtkhdf)");
+  app.add_option("--every", given.every, "Time between frames in s")->check(CLI::PositiveNumber);
+  app.add_option("--set", given.overrides, "Set one member of the scene: grid.cell=0.05")
+      ->allow_extra_args(false);
+  app.add_option("--threads", given.threads, "Number of threads; all processors unless given")
+      ->check(CLI::Range(1, 4096));
+  app.add_flag("--resume", given.resume, "Go on from the checkpoint beside the output");
+  app.add_flag("--check", given.check, "Validate the scene and say what it models and costs");
+  app.add_flag("--quiet", given.quiet, "Show no progress");
+  app.add_flag("--keys", given.keys, "Print every key of a scene file as Markdown");
+  app.set_version_flag("--version", "lapilli " LAPILLI_VERSION);
+}
+
+Scene scene_of(const Arguments& given) {
+  require(!given.scene.empty(), "which scene? lapilli-run scene.toml, or --help");
+  Scene scene = load_scene(given.scene);
+  for (const std::string& assignment : given.overrides) {
+    apply_override(scene, assignment);
+  }
+  if (!given.output.empty()) {
+    scene.output.path = given.output;
+  } else if (scene.output.path.empty()) {
+    scene.output.path = std::filesystem::path(given.scene).stem().string() + ".vtkhdf";
+  }
+  if (given.every > 0.0) {
+    scene.output.every = given.every;
+    scene.output.every_steps.reset();
+  }
+  return scene;
+}
+
+void print_summary(const Simulation& simulation, const RunSummary& summary,
+                   const std::string& output) {
+  std::printf("%s at %g s after %lld steps in %s; %lld frames in %s\n",
+              summary.status == RunStatus::finished ? "finished" : "stopped", summary.time,
+              static_cast<long long>(simulation.step_index()),
+              readable_time(summary.statistics.wall_seconds).c_str(),
+              static_cast<long long>(summary.frames), output.c_str());
+  for (const Ledger& ledger : simulation.ledgers()) {
+    std::printf("%s: %.6g %s came in, %.6g stored at the end, balance off by %.1e\n",
+                ledger.quantity.c_str(), ledger.taken_in(), ledger.unit.c_str(), ledger.stored,
+                ledger.residual());
+  }
+}
+
+int run_scene(const Arguments& given) {
+  const Scene scene = scene_of(given);
+  if (given.check) {
+    std::fputs(text_of(check(scene)).c_str(), stdout);
+    return finished;
+  }
+  const std::unique_ptr<Simulation> simulation = build(scene);
+  ProgressLine line(given.quiet);
+  RunOptions options = run_options(scene);
+  options.resume = given.resume;
+  options.progress = [&](const Progress& progress) { line.show(progress); };
+  options.interrupted = [] { return stop_asked != 0; };
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
+  const RunSummary summary = run(*simulation, options);
+  line.finish();
+  if (!given.quiet) {
+    print_summary(*simulation, summary, scene.output.path);
+  }
+  return summary.status == RunStatus::finished ? finished : stopped;
+}
+
+int report(const std::exception& error, ExitCode code) {
+  std::fprintf(stderr, "\nlapilli-run: %s\n", error.what());
+  return code;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  CLI::App app("Runs a scene: heat and large deformation with particles.", "lapilli-run");
+  Arguments given;
+  define_arguments(app, given);
+  try {
+    app.parse(count, words);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? finished : wrong_input;
+  }
+  try {
+    if (given.keys) {
+      std::fputs(keys_as_markdown().c_str(), stdout);
+      return finished;
+    }
+    set_thread_count(given.threads);
+    return run_scene(given);
+  } catch (const std::invalid_argument& error) {
+    return report(error, wrong_input);
+  } catch (const OutputError& error) {
+    return report(error, disk_failed);
+  } catch (const std::exception& error) {
+    return report(error, run_failed);
+  }
+}

@@ -1,0 +1,118 @@
+#include "lapilli/scene/build.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/mpm/heat/heat_problem.hpp"
+#include "lapilli/scene/body_points.hpp"
+#include "lapilli/scene/place_errors.hpp"
+#include "lapilli/scene/validate.hpp"
+
+namespace lapilli {
+namespace {
+
+using PhysicsList = std::vector<std::unique_ptr<Physics>>;
+
+template <class Wanted>
+const Wanted& material_of(const Body& body) {
+  const auto found = std::find_if(body.material.begin(), body.material.end(), [](const auto& one) {
+    return std::holds_alternative<Wanted>(one);
+  });
+  return std::get<Wanted>(*found);  // validate() has seen to it
+}
+
+template <int Dim>
+Grid<Dim> grid_of(const Scene& scene) {
+  return in_file(scene, "grid", [&] {
+    return Grid<Dim>(Eigen::Map<const Vec<Dim>>(scene.grid.lower.data()),
+                     Eigen::Map<const Vec<Dim>>(scene.grid.upper.data()), scene.grid.cell);
+  });
+}
+
+std::unique_ptr<Points> points_of(const Scene& scene, const std::vector<FilledPoints>& filled) {
+  auto points = std::make_unique<Points>(dimension_of(scene));
+  for (std::size_t k = 0; k < filled.size(); ++k) {
+    points->append(filled[k].position, filled[k].volume, static_cast<int>(k));
+  }
+  return points;
+}
+
+// Distance to the union of the bodies; none where a body is known by its points only.
+DistanceFunction distance_of(const Scene& scene) {
+  std::vector<Shape> shapes;
+  for (const Body& body : scene.bodies) {
+    const std::optional<Shape> shape = placed_shape(body);
+    if (!shape) {
+      return {};
+    }
+    shapes.push_back(*shape);
+  }
+  return [shapes](const Vec3& at) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Shape& shape : shapes) {
+      least = std::min(least, distance(shape, at));
+    }
+    return least;
+  };
+}
+
+bool has_motion(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const Body& body) { return body.motion.has_value(); });
+}
+
+template <int Dim>
+std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
+                                 const std::vector<FilledPoints>& filled, Points& points) {
+  HeatProblem<Dim> problem{grid,        scene.grid.shape_function, {},
+                           *scene.heat, distance_of(scene),        has_motion(scene)};
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const Body& body = scene.bodies[k];
+    // The box of a point is half its spacing wide on each side, whatever its volume.
+    const double half_width = std::min(0.5, 0.5 * filled[k].spacing / grid.cell_size());
+    problem.bodies.push_back(
+        {material_of<Thermal>(body), half_width, body.temperature, body.source});
+  }
+  return at_place(scene, "heat", [&] { return make_heat<Dim>(points, std::move(problem)); });
+}
+
+Simulation::Clock clock_of(const Scene& scene) {
+  Simulation::Clock clock;
+  clock.end = scene.time.end;
+  if (scene.time.steps) {
+    clock.fixed_step = scene.time.end / static_cast<double>(*scene.time.steps);
+  } else if (scene.time.step) {
+    clock.fixed_step = *scene.time.step;
+  }
+  return clock;
+}
+
+template <int Dim>
+std::unique_ptr<Simulation> build_in(const Scene& scene) {
+  const Grid<Dim> grid = grid_of<Dim>(scene);
+  const std::vector<FilledPoints> filled = fill_bodies(scene);
+  std::unique_ptr<Points> points = points_of(scene, filled);
+  PhysicsList physics;
+  if (scene.heat) {
+    physics.push_back(heat_of<Dim>(scene, grid, filled, *points));
+  }
+  return in_file(scene, scene.time.steps ? "time.steps" : "time.step", [&] {
+    return std::make_unique<Simulation>(std::move(points), std::move(physics), clock_of(scene));
+  });
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> build(const Scene& scene) {
+  validate(scene);
+  switch (dimension_of(scene)) {
+    case 1:
+      return build_in<1>(scene);
+    case 2:
+      return build_in<2>(scene);
+    default:
+      return build_in<3>(scene);
+  }
+}
+
+}  // namespace lapilli

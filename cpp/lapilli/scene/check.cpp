@@ -1,0 +1,216 @@
+#include "lapilli/scene/check.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <iomanip>
+#include <numeric>
+
+#include "lapilli/scene/body_points.hpp"
+#include "lapilli/scene/build.hpp"
+#include "lapilli/scene/emit.hpp"
+#include "lapilli/scene/tree_writer.hpp"
+
+namespace lapilli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void describe_grid(const Scene& scene, CheckReport& report) {
+  report.dimension = dimension_of(scene);
+  report.nodes = 1;
+  for (std::size_t axis = 0; axis < scene.grid.lower.size(); ++axis) {
+    const double length = scene.grid.upper[axis] - scene.grid.lower[axis];
+    report.cells.push_back(std::lround(length / scene.grid.cell));
+    report.nodes *= report.cells.back() + 1;
+  }
+}
+
+void describe_bodies(const Scene& scene, const Simulation& simulation, CheckReport& report) {
+  const Points& points = simulation.points();
+  report.points = points.size();
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const std::string& name = scene.bodies[k].name;
+    report.bodies.push_back({name.empty() ? message("body ", k) : name, 0, 0.0, 0.0});
+  }
+  for (Index row = 0; row < points.size(); ++row) {
+    CheckReport::BodyReport& body = report.bodies[static_cast<std::size_t>(points.body()[row])];
+    ++body.points;
+    body.volume += points.volume()[row];
+  }
+  for (CheckReport::BodyReport& body : report.bodies) {
+    body.spacing = std::pow(body.volume / static_cast<double>(body.points), 1.0 / report.dimension);
+  }
+}
+
+void describe_heat(const Scene& scene, CheckReport& report) {
+  if (!scene.heat) {
+    report.not_modelled.push_back("heat");
+    return;
+  }
+  report.modelled.push_back("heat conduction");
+  int laws[4] = {};
+  for (const HeatBoundary& law : scene.heat->boundaries) {
+    ++laws[law.index()];
+  }
+  const char* names[4] = {"prescribed flux", "convection", "radiation", "prescribed temperature"};
+  for (int k = 0; k < 4; ++k) {
+    if (laws[k] > 0) {
+      report.modelled.push_back(names[k]);
+    }
+  }
+  if (scene.heat->boundaries.empty()) {
+    report.notes.push_back("[heat] has no boundaries: all surfaces are insulated");
+  }
+  for (const char* absent :
+       {"temperature-dependent properties", "phase change", "radiation between surfaces"}) {
+    report.not_modelled.push_back(absent);
+  }
+}
+
+void describe_physics(const Scene& scene, CheckReport& report) {
+  describe_heat(scene, report);
+  bool moving = false;
+  for (const Body& body : scene.bodies) {
+    moving |= body.motion.has_value();
+  }
+  (moving ? report.modelled : report.not_modelled).push_back("prescribed rigid motion");
+  report.not_modelled.push_back("deformation");
+}
+
+void describe_steps(const Scene& scene, Simulation& simulation, CheckReport& report) {
+  report.step = simulation.next_step_size();
+  report.hard_limit = std::numeric_limits<double>::infinity();
+  report.step_reason = scene.time.step || scene.time.steps ? "given" : "automatic";
+  for (const auto& physics : simulation.physics()) {
+    const StepLimit limit = physics->step_limit();
+    if (limit.hard < report.hard_limit) {
+      report.hard_limit = limit.hard;
+      report.step_reason += "; " + physics->name() + ": " + limit.reason;
+    }
+  }
+  report.steps = static_cast<Index>(std::ceil(scene.time.end / report.step * (1.0 - 1e-9)));
+}
+
+// The first step also assembles what later ones use, so it is not counted.
+void measure_steps(Simulation& simulation, CheckReport& report) {
+  constexpr double patience = 0.3;  // s
+  simulation.step(simulation.end());
+  const Clock::time_point start = Clock::now();
+  Index taken = 0;
+  while (simulation.time() < simulation.end() && seconds_since(start) < patience) {
+    simulation.step(simulation.end());
+    ++taken;
+  }
+  report.seconds_to_run = taken == 0 ? seconds_since(start)
+                                     : seconds_since(start) / static_cast<double>(taken) *
+                                           static_cast<double>(report.steps);
+}
+
+// Arrays of points and nodes, and the rows of the assembled nodal operator.
+double memory_of(const Scene& scene, const CheckReport& report) {
+  const double point_numbers = 4.0 + report.dimension + 4.0 * (1 + report.dimension);
+  const double stencil = std::pow(5.0, report.dimension);
+  const double node_numbers = scene.heat ? 16.0 + stencil : 4.0;
+  return 8.0 * (point_numbers * static_cast<double>(report.points) +
+                node_numbers * static_cast<double>(report.nodes));
+}
+
+std::string readable_memory(double bytes) {
+  const bool large = bytes > 1e9;
+  return message(std::setprecision(3), bytes / (large ? 1e9 : 1e6), large ? " GB" : " MB");
+}
+
+std::string readable_time(double seconds) {
+  return seconds < 120.0 ? message(std::setprecision(2), seconds, " s")
+                         : message(std::setprecision(2), seconds / 60.0, " min");
+}
+
+Tree list_of(const std::vector<std::string>& words) {
+  Tree::Array array;
+  for (const std::string& word : words) {
+    array.push_back({word, {}});
+  }
+  return {std::move(array), {}};
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  return words.empty() ? "nothing" : joined(words);
+}
+
+}  // namespace
+
+CheckReport check(const Scene& scene) {
+  const Clock::time_point start = Clock::now();
+  const std::unique_ptr<Simulation> simulation = build(scene);
+  CheckReport report;
+  report.seconds_to_build = seconds_since(start);
+  report.title = scene.title;
+  describe_grid(scene, report);
+  describe_bodies(scene, *simulation, report);
+  describe_physics(scene, report);
+  describe_steps(scene, *simulation, report);
+  report.memory = memory_of(scene, report);
+  measure_steps(*simulation, report);
+  return report;
+}
+
+std::string text_of(const CheckReport& report) {
+  std::string cells;
+  for (const Index count : report.cells) {
+    cells += (cells.empty() ? "" : " x ") + std::to_string(count);
+  }
+  std::string text = report.title.empty() ? "" : report.title + "\n";
+  text += message("grid          ", cells, " cells, ", report.nodes, " nodes\n");
+  for (const CheckReport::BodyReport& body : report.bodies) {
+    text += message("body          ", body.name, ": ", body.points, " points, volume ", body.volume,
+                    " m^", report.dimension, ", spacing ", body.spacing, " m\n");
+  }
+  text += message("models        ", listed(report.modelled), "\n");
+  text += message("leaves out    ", listed(report.not_modelled), "\n");
+  text += message("step          ", report.step, " s (", report.step_reason, "), limit ",
+                  report.hard_limit, " s, ", report.steps, " steps\n");
+  text += message("memory        about ", readable_memory(report.memory), "\n");
+  text += message("time          about ", readable_time(report.seconds_to_run), ", and ",
+                  readable_time(report.seconds_to_build), " to build\n");
+  for (const std::string& note : report.notes) {
+    text += message("note          ", note, "\n");
+  }
+  return text;
+}
+
+std::string json_of(const CheckReport& report) {
+  Tree::Array cells, bodies;
+  for (const Index count : report.cells) {
+    cells.push_back({count, {}});
+  }
+  for (const CheckReport::BodyReport& body : report.bodies) {
+    bodies.push_back({Tree::Table{{"name", {}, {body.name, {}}},
+                                  {"points", {}, {body.points, {}}},
+                                  {"volume", {}, {body.volume, {}}},
+                                  {"spacing", {}, {body.spacing, {}}}},
+                      {}});
+  }
+  return emit_json({Tree::Table{{"title", {}, {report.title, {}}},
+                                {"dimension", {}, {Index{report.dimension}, {}}},
+                                {"cells", {}, {std::move(cells), {}}},
+                                {"nodes", {}, {report.nodes, {}}},
+                                {"bodies", {}, {std::move(bodies), {}}},
+                                {"points", {}, {report.points, {}}},
+                                {"modelled", {}, list_of(report.modelled)},
+                                {"not_modelled", {}, list_of(report.not_modelled)},
+                                {"step", {}, {report.step, {}}},
+                                {"hard_limit", {}, {report.hard_limit, {}}},
+                                {"step_reason", {}, {report.step_reason, {}}},
+                                {"steps", {}, {report.steps, {}}},
+                                {"memory", {}, {report.memory, {}}},
+                                {"seconds_to_build", {}, {report.seconds_to_build, {}}},
+                                {"seconds_to_run", {}, {report.seconds_to_run, {}}},
+                                {"notes", {}, list_of(report.notes)}},
+                    {}});
+}
+
+}  // namespace lapilli

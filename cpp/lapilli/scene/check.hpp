@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "lapilli/scene/scene.hpp"
+
+namespace lapilli {
+
+/// What is known of a scene before it runs.
+struct CheckReport {
+  struct BodyReport {
+    std::string name;
+    Index points = 0;
+    double volume = 0.0;   // m^dimension
+    double spacing = 0.0;  // m
+  };
+
+  std::string title;
+  int dimension = 0;
+  std::vector<Index> cells;  // along each axis
+  Index nodes = 0;
+  std::vector<BodyReport> bodies;
+  Index points = 0;
+  std::vector<std::string> modelled;
+  std::vector<std::string> not_modelled;
+  double step = 0.0;        // s
+  double hard_limit = 0.0;  // s; infinite when nothing limits the step
+  std::string step_reason;
+  Index steps = 0;
+  double memory = 0.0;             // bytes, estimated from the sizes of arrays
+  double seconds_to_build = 0.0;   // measured
+  double seconds_to_run = 0.0;     // extrapolated from the first steps
+  std::vector<std::string> notes;  // settings that are allowed and seldom meant
+};
+
+/// Build the scene, run its first few steps and say what it is. Throws std::invalid_argument as
+/// build() does.
+CheckReport check(const Scene& scene);
+
+/// The report as lines of text.
+std::string text_of(const CheckReport& report);
+
+/// The report as JSON.
+std::string json_of(const CheckReport& report);
+
+}  // namespace lapilli
