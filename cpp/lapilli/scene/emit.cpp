@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/output/json.hpp"
 
 namespace lapilli {
 namespace {
@@ -38,9 +37,16 @@ bool is_table_list(const Tree& tree) {
          std::all_of(array->begin(), array->end(), [](const Tree& t) { return t.table(); });
 }
 
+// Always with a point or an exponent: a number without one would be a whole number to TOML.
+std::string toml_number(double number) {
+  const std::string text = shortest(number);
+  const bool whole = text.find_first_not_of("-0123456789") == std::string::npos;
+  return whole ? text + ".0" : text;
+}
+
 std::string scalar(const Tree& tree) {
   if (const auto* number = std::get_if<double>(&tree.value)) {
-    return shortest(*number);
+    return toml_number(*number);
   }
   if (const auto* integer = std::get_if<Index>(&tree.value)) {
     return std::to_string(*integer);
@@ -48,7 +54,8 @@ std::string scalar(const Tree& tree) {
   if (const auto* boolean = std::get_if<bool>(&tree.value)) {
     return *boolean ? "true" : "false";
   }
-  return tree.string() ? quoted(*tree.string()) : "null";
+  require(tree.string(), "TOML cannot hold ", in_words(tree));
+  return quoted(*tree.string());
 }
 
 std::string inline_toml(const Tree& tree) {
@@ -95,40 +102,34 @@ void emit_section(const Tree::Table& table, const std::string& path, int depth, 
   }
 }
 
-void emit_json(const Tree& tree, const std::string& indent, std::string& text) {
-  const std::string deeper = indent + "  ";
+void emit_json(const Tree& tree, JsonWriter& json) {
   if (const Tree::Table* table = tree.table()) {
-    text += table->empty() ? "{" : "{\n";
-    for (std::size_t k = 0; k < table->size(); ++k) {
-      text += deeper + quoted((*table)[k].name) + ": ";
-      emit_json((*table)[k].value, deeper, text);
-      text += k + 1 < table->size() ? ",\n" : "\n";
+    json.begin_object();
+    for (const Tree::Entry& entry : *table) {
+      json.key(entry.name);
+      emit_json(entry.value, json);
     }
-    text += table->empty() ? "}" : indent + "}";
+    json.end_object();
   } else if (const Tree::Array* array = tree.array()) {
-    const bool lines = is_table_list(tree);
-    text += lines ? "[\n" : "[";
-    for (std::size_t k = 0; k < array->size(); ++k) {
-      text += lines ? deeper : "";
-      emit_json((*array)[k], deeper, text);
-      text += k + 1 < array->size() ? (lines ? ",\n" : ", ") : (lines ? "\n" : "");
+    json.begin_array();
+    for (const Tree& element : *array) {
+      emit_json(element, json);
     }
-    text += lines ? indent + "]" : "]";
+    json.end_array();
+  } else if (const auto* number = std::get_if<double>(&tree.value)) {
+    json.value(*number);
+  } else if (const auto* integer = std::get_if<Index>(&tree.value)) {
+    json.value(*integer);
+  } else if (const auto* truth = std::get_if<bool>(&tree.value)) {
+    json.value(*truth);
+  } else if (tree.string()) {
+    json.value(*tree.string());
   } else {
-    const auto* number = std::get_if<double>(&tree.value);
-    text += number && std::isinf(*number) ? quoted(shortest(*number)) : scalar(tree);
+    json.json("null");
   }
 }
 
 }  // namespace
-
-std::string shortest(double number) {
-  std::array<char, 32> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-  std::string text(digits.data(), end);
-  const bool whole = text.find_first_not_of("-0123456789") == std::string::npos;
-  return whole ? text + ".0" : text;
-}
 
 std::string emit_toml(const Tree& tree) {
   require(tree.table(), "only a table can be written as TOML");
@@ -138,9 +139,9 @@ std::string emit_toml(const Tree& tree) {
 }
 
 std::string emit_json(const Tree& tree) {
-  std::string text;
-  emit_json(tree, "", text);
-  return text + "\n";
+  JsonWriter json;
+  emit_json(tree, json);
+  return json.text() + "\n";
 }
 
 }  // namespace lapilli

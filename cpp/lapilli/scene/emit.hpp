@@ -13,8 +13,4 @@ std::string emit_toml(const Tree& tree);
 /// A tree as JSON on indented lines.
 std::string emit_json(const Tree& tree);
 
-/// The shortest decimal number that reads back to the same double, always with a point or an
-/// exponent.
-std::string shortest(double number);
-
 }  // namespace lapilli
