@@ -10,19 +10,60 @@ using namespace lapilli;
 namespace {
 
 // Fragments that scene files are made of, and some that break readers.
-const std::vector<std::string> fragments = {
-    "[",      "]",       "{",     "}",      "[[",      "]]",        "=",     "\"",     "'''",
-    "\"\"\"", "\n",      ",",     ".",      "#",       "\\",        "\\u",   "\\x",    "\xff",
-    "nan",    "inf",     "-inf",  "-0.0",   "1e999",   "1e-999",    "-1",    "0",      "0x7f",
-    "true",   "kind",    "times", "values", "1979-05-27", "07:32:00", "\r\n", std::string(1, '\0'),
-    "9223372036854775807", "9223372036854775808", "-9223372036854775808", "\xef\xbb\xbf",
-    "[heat]", "[[bodies]]", "[grid]", "[bodies]", "shape = {kind = \"union\", shapes = [",
-    "kind = \"rotated\", shape = {", "region", "cell = ", "points_per_cell = ", "\xc3\xa9"};
+const std::vector<std::string> fragments = {"[",
+                                            "]",
+                                            "{",
+                                            "}",
+                                            "[[",
+                                            "]]",
+                                            "=",
+                                            "\"",
+                                            "'''",
+                                            "\"\"\"",
+                                            "\n",
+                                            ",",
+                                            ".",
+                                            "#",
+                                            "\\",
+                                            "\\u",
+                                            "\\x",
+                                            "\xff",
+                                            "nan",
+                                            "inf",
+                                            "-inf",
+                                            "-0.0",
+                                            "1e999",
+                                            "1e-999",
+                                            "-1",
+                                            "0",
+                                            "0x7f",
+                                            "true",
+                                            "kind",
+                                            "times",
+                                            "values",
+                                            "1979-05-27",
+                                            "07:32:00",
+                                            "\r\n",
+                                            std::string(1, '\0'),
+                                            "9223372036854775807",
+                                            "9223372036854775808",
+                                            "-9223372036854775808",
+                                            "\xef\xbb\xbf",
+                                            "[heat]",
+                                            "[[bodies]]",
+                                            "[grid]",
+                                            "[bodies]",
+                                            "shape = {kind = \"union\", shapes = [",
+                                            "kind = \"rotated\", shape = {",
+                                            "region",
+                                            "cell = ",
+                                            "points_per_cell = ",
+                                            "\xc3\xa9"};
 
 std::string mutated(std::string text, RandomMembers& random) {
-  for (std::size_t change = 1 + random.below(6); change > 0 && !text.empty(); --change) {
+  for (std::size_t change = 1 + random.below(4); change > 0 && !text.empty(); --change) {
     const std::size_t at = random.below(text.size()), length = random.below(24);
-    switch (random.below(7)) {
+    switch (random.below(9)) {
       case 0:
         text[at] = static_cast<char>(random.below(256));
         break;
@@ -45,8 +86,14 @@ std::string mutated(std::string text, RandomMembers& random) {
         }
         break;
       }
-      default:
+      case 6:
         text.resize(at);
+        break;
+      default:  // another digit: files that mostly still are scenes
+        if (const std::size_t digit = text.find_first_of("0123456789", at);
+            digit != std::string::npos) {
+          text[digit] = "0123456789.-"[random.below(12)];
+        }
     }
   }
   return text;
