@@ -4,6 +4,8 @@
 
 #include "lapilli/geometry/box.hpp"
 #include "lapilli/geometry/combine.hpp"
+#include "lapilli/geometry/image_mask.hpp"
+#include "lapilli/geometry/mesh.hpp"
 #include "lapilli/geometry/polygon.hpp"
 #include "lapilli/geometry/round.hpp"
 
@@ -11,8 +13,8 @@ namespace lapilli {
 
 /// Any shape: plain data with a signed distance, negative inside. Scenes of one or two dimensions
 /// leave the last coordinates zero.
-struct Shape : std::variant<Box, HalfSpace, Disk, Annulus, Sphere, Cylinder, Polygon, Union,
-                            Intersection, Difference, Rotated, Translated> {
+struct Shape : std::variant<Box, HalfSpace, Disk, Annulus, Sphere, Cylinder, Polygon, Mesh,
+                            ImageMask, Union, Intersection, Difference, Rotated, Translated> {
   using variant::variant;
 };
 
@@ -36,7 +38,9 @@ bool covers(const Shape& shape, const Vec3& x, double slack = 0.0);
 
 /// Throws std::invalid_argument unless every number of the shape is usable on a grid of `dimension`
 /// axes: what was given, what is allowed, in which shape. Reads the files the shape names and
-/// prepares what queries need, so that later queries neither throw nor wait.
+/// prepares what queries need, so that later queries neither throw nor wait: call it once for each
+/// shape before the functions above (`fill` does), and again when its members have changed; copies
+/// share what was prepared. Not to be called while other threads ask.
 void check(const Shape& shape, int dimension);
 
 /// The name of the shape in scene files: "annulus".

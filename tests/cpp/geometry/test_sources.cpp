@@ -1,0 +1,86 @@
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "geometry/scratch_file.hpp"
+#include "lapilli/geometry/sources.hpp"
+
+using namespace lapilli;
+using Catch::Matchers::Contains;
+
+namespace {
+
+template <class T>
+std::string npy(const std::vector<T>& values, const std::string& type, const std::string& shape,
+                const std::string& fortran = "False") {
+  std::string header =
+      "{'descr': '" + type + "', 'fortran_order': " + fortran + ", 'shape': " + shape + ", }";
+  header.resize(118 - 1, ' ');
+  header += '\n';
+  std::string bytes("\x93NUMPY\1\0", 8);
+  bytes += static_cast<char>(header.size());
+  bytes += '\0';
+  bytes += header;
+  bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("points are read with commas, semicolons, spaces, names and comments") {
+  const std::vector<double> positions = {0.5, 1, -2e-3, 3, 4, 5};
+  for (const std::string& text :
+       {std::string("0.5,1,0.25\n-2e-3,3,0.5\n4,5,0.75\n"),
+        std::string(
+            "# made by hand\nx, y, volume\n0.5 1 0.25\n\n-2e-3;+3;0.5 # second\r\n4\t5 0.75")}) {
+    const ScratchFile file(text, ".csv");
+    const auto points = read_points(file.path(), 2);
+    REQUIRE(points.position == positions);
+    REQUIRE(points.volume == std::vector<double>{0.25, 0.5, 0.75});
+    REQUIRE(points.spacing == Approx(std::sqrt(0.5)));
+    REQUIRE(points.dimension == 2);
+  }
+  const ScratchFile bare("1\n2\n");
+  REQUIRE(read_points(bare.path(), 1, 0.1).volume == std::vector<double>{0.1, 0.1});
+  const ScratchFile solid("1 2 3\n4 5 6\n");
+  REQUIRE(read_points(solid.path(), 3, 8.0).spacing == Approx(2.0));
+}
+
+TEST_CASE("points are read from NumPy arrays") {
+  const std::vector<double> rows = {0.5, 1, 0.25, 4, 5, 0.75};
+  const ScratchFile file(npy(rows, "<f8", "(2, 3)"), ".npy");
+  const auto points = read_points(file.path(), 2);
+  REQUIRE(points.position == std::vector<double>{0.5, 1, 4, 5});
+  REQUIRE(points.volume == std::vector<double>{0.25, 0.75});
+  const ScratchFile single(npy(std::vector<float>(rows.begin(), rows.end()), "<f4", "(2, 3)"),
+                           ".npy");
+  REQUIRE(read_points(single.path(), 2).position == points.position);
+}
+
+TEST_CASE("unusable points are refused, naming file and line") {
+  const auto refused = [](const std::string& bytes, const std::string& text,
+                          const std::string& ending = ".txt", double volume = 0.0) {
+    const ScratchFile file(bytes, ending);
+    REQUIRE_THROWS_WITH(read_points(file.path(), 2, volume),
+                        Contains(text) && Contains(file.path()));
+  };
+  refused("1 2 3\n1 2 x\n", "line 2: 'x' is no number");
+  refused("x y\nu v\n", "line 2: 'u' is no number");
+  refused("1 y\n1 2\n", "line 1: 'y' is no number");
+  refused("1 2 3\n1 2\n", "line 2: got 2 numbers, the rows before have 3", ".txt", 1.0);
+  refused("1 2 3 4\n", "line 1: a point needs 2 coordinates and perhaps a volume, got 4 numbers");
+  refused("1\n", "got 1 number");
+  refused("1 2\n", "line 1: the file has no column of volumes and no volume was given");
+  refused("1 2 3\n\n1 2 0\n", "line 3: the volume must be positive, got 0");
+  refused("1 nan 3\n", "line 1: numbers must be finite");
+  refused("# nothing\n", "the file holds no points");
+  REQUIRE_THROWS_WITH(read_points("nowhere.csv", 2),
+                      Contains("nowhere.csv: there is no such file"));
+
+  const std::vector<double> rows = {0.5, 1, 0.25, 4, 5, -1};
+  refused(npy(rows, "<f8", "(2, 3)"), "row 1: the volume must be positive", ".npy");
+  refused(npy(rows, "<f8", "(3, 3)"), "3 x 3 numbers are promised, 6 are held", ".npy");
+  refused(npy(rows, "<f8", "(6,)"), "two dimensions in C order", ".npy");
+  refused(npy(rows, "<f8", "(2, 3)", "True"), "two dimensions in C order", ".npy");
+  refused(npy(rows, "<i8", "(2, 3)"), "must be float64 or float32", ".npy");
+  refused("1 2 3\n4 5 6\n 7 8 9", "not a NumPy array file", ".npy");
+}
