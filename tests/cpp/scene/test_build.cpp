@@ -1,0 +1,82 @@
+#include <catch2/catch.hpp>
+#include <numeric>
+
+#include "lapilli/scene/build.hpp"
+#include "lapilli/scene/check.hpp"
+#include "lapilli/scene/run_scene.hpp"
+#include "lapilli/scene/scene_file.hpp"
+#include "scene/example_scenes.hpp"
+
+using namespace lapilli;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+TEST_CASE("a built scene runs to its end and keeps its heat") {
+  const auto simulation = build(parse_scene(ring_scene, "ring.toml"));
+  // 4 points of h^2/4 in each of about pi (25 - 1) / h^2 cells.
+  CHECK(static_cast<double>(simulation->points().size()) == Approx(4 * 75.4 / 0.16).epsilon(0.01));
+  simulation->run_until(simulation->end());
+  CHECK(simulation->time() == 1.0);
+  const std::vector<Field> fields = simulation->fields();
+  const auto temperature = std::find_if(
+      fields.begin(), fields.end(), [](const Field& field) { return field.name == "temperature"; });
+  REQUIRE(temperature != fields.end());
+  for (const double value : temperature->values) {
+    REQUIRE(value >= -1e-9);
+    REQUIRE(value <= 1.0 + 1e-9);
+  }
+  const Ledger heat = simulation->ledgers().at(0);
+  CHECK(std::abs(heat.residual()) < 1e-12);
+  // Convection of at most 1 W/m2 on 37.7 m of rim for 1 s.
+  CHECK(heat.taken_in() > 10.0);
+  CHECK(heat.taken_in() < 37.7);
+}
+
+TEST_CASE("what only a built scene can show is named with its line") {
+  struct Mistake {
+    const char *from, *to, *message;
+  };
+  const auto mistake = GENERATE(
+      Mistake{"end = 1", "end = 1\nstep = 1.0", "time.step of 1 s is above the limit of "},
+      Mistake{"upper = [5.6, 5.6]", "upper = [5.7, 5.6]", "must be a whole number of cells"},
+      Mistake{"ambient = 1", "ambient = 1\nregion = {kind = \"disk\", radius = 0.2}",
+              "selects no surface"},
+      Mistake{"[heat]\n[[heat.boundaries]]\nkind = \"convection\"\ncoefficient = 1\nambient = 1",
+              "", "the scene contains no physics"});
+  const std::string message = error_of(
+      [&] { build(parse_scene(replaced(ring_scene, mistake.from, mistake.to), "ring.toml")); });
+  CHECK_THAT(message, Contains(mistake.message));
+  CHECK_THAT(message, StartsWith("ring.toml:"));
+}
+
+TEST_CASE("a report says what a scene is, models and costs") {
+  const Scene scene = parse_scene(ring_scene, "ring.toml");
+  const CheckReport report = check(scene);
+  const auto simulation = build(scene);
+  CHECK(report.dimension == 2);
+  CHECK(report.cells == std::vector<Index>{28, 28});
+  CHECK(report.nodes == 29 * 29);
+  CHECK(report.points == simulation->points().size());
+  CHECK(report.step == simulation->next_step_size());
+  CHECK(report.hard_limit >= report.step);
+  CHECK(report.steps == static_cast<Index>(std::ceil(1.0 / report.step)));
+  REQUIRE(report.bodies.size() == 1);
+  CHECK(report.bodies[0].spacing == Approx(0.2).epsilon(1e-9));
+  CHECK(report.memory > 0.0);
+  CHECK(report.seconds_to_run > 0.0);
+  const std::string text = text_of(report);
+  CHECK_THAT(text, Contains("models        heat conduction, convection"));
+  CHECK_THAT(text, Contains("ring: "));
+  CHECK_THAT(json_of(report), Contains("\"dimension\": 2"));
+}
+
+TEST_CASE("a run is known by what shapes its state, not by what it writes") {
+  const Scene scene = parse_scene(ring_scene, "ring.toml");
+  Scene longer = scene, finer = scene;
+  longer.time.end = 2.0;
+  longer.output.path = "elsewhere.vtkhdf";
+  longer.output.every = 0.1;
+  finer.grid.cell = 0.2;
+  CHECK(run_options(scene).fingerprint == run_options(longer).fingerprint);
+  CHECK(run_options(scene).fingerprint != run_options(finer).fingerprint);
+}
