@@ -16,6 +16,7 @@ struct Step {
   double time = 0.0;  // s, at the start of the step
   double size = 0.0;  // s
   Index index = 0;    // counts from 0
+  bool look = true;   // whether somebody may look at the fields after this step
 };
 
 /// How large a step may be. Both are infinite for implicit solvers.

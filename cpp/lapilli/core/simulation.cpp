@@ -31,26 +31,26 @@ double Simulation::next_step_size() const {
   return size;
 }
 
-StepReport Simulation::step(double until) {
+StepReport Simulation::step(double until, bool look) {
   double size = next_step_size();
   const double left = until - time_;
   // A remainder below a millionth of a step is rounding, not a step of its own.
   if (left < size * (1.0 + 1e-6)) {
     size = left;
   }
-  StepReport report = advance(size);
+  StepReport report = advance(size, look || size == left);
   if (size == left && report.accepted == size) {
     time_ = until;
   }
   return report;
 }
 
-StepReport Simulation::advance(double size) {
+StepReport Simulation::advance(double size, bool look) {
   StepReport total;
   total.accepted = size;
   try {
     for (const auto& physics : physics_) {
-      const StepReport report = physics->advance({time_, size, index_});
+      const StepReport report = physics->advance({time_, size, index_, look});
       total.accepted = std::min(total.accepted, report.accepted);
       total.iterations += report.iterations;
       total.residual = std::max(total.residual, report.residual);
@@ -66,7 +66,7 @@ StepReport Simulation::advance(double size) {
 void Simulation::run_until(double time, const std::function<bool(const Simulation&)>& after_step) {
   require(time >= time_, "cannot run back to ", time, " s: the clock is at ", time_, " s");
   while (time_ < time) {
-    step(time);
+    step(time, false);
     if (after_step && !after_step(*this)) {
       return;
     }

@@ -36,7 +36,9 @@ class Simulation {
   double next_step_size() const;
 
   /// One step, cut so as not to pass `until`. Throws RunError with step and time when it fails.
-  StepReport step(double until = std::numeric_limits<double>::infinity());
+  /// `look`: whether somebody may look at the fields afterwards even short of `until`; without it a
+  /// physics may leave point values for output stale.
+  StepReport step(double until = std::numeric_limits<double>::infinity(), bool look = true);
 
   /// Step until `time`, exactly; `after_step` may return false to stop early.
   void run_until(double time, const std::function<bool(const Simulation&)>& after_step = {});
@@ -49,7 +51,7 @@ class Simulation {
   void load(const Archive& archive);
 
  private:
-  StepReport advance(double size);
+  StepReport advance(double size, bool look);
 
   std::unique_ptr<Points> points_;
   std::vector<std::unique_ptr<Physics>> physics_;

@@ -9,9 +9,10 @@ namespace lapilli {
 
 template <int Dim>
 CellOrder<Dim>::CellOrder(const Grid<Dim>& grid, int support)
-    // With a layer of drift, a strip of n layers touches node layers -1 to n + 1 (linear) or -2 to
-    // n + 2 (three nodes an axis); 3 and 5 layers keep strips of one parity apart.
-    : grid_(grid), support_(support), layers_(2 * support - 1) {
+    // With a layer of drift, a strip of n layers touches nodes from -1 to n + support - 1 (one more
+    // in 1D, where rows of four lie across the strips); n = support + 1 keeps strips of one parity
+    // apart.
+    : grid_(grid), support_(support), layers_(support + (Dim == 1 ? 2 : 1)) {
   const int strips = (grid.cells(Dim - 1) + layers_ - 1) / layers_;
   begin_.assign(static_cast<std::size_t>(strips) + 1, 0);
 }
@@ -43,7 +44,7 @@ bool CellOrder<Dim>::still_valid(const Points& points) const {
       for (int axis = 0; axis < Dim; ++axis) {
         inside = inside & (x[axis] >= lower[axis]) & (x[axis] <= upper[axis]);
       }
-      const double layer = (x[Dim - 1] - origin) * inverse_h;
+      const double layer = (x[Dim - 1] - origin) * inverse_h - shift();
       inside = inside & (layer >= first) & (layer < last);
     }
     if (!inside) {
@@ -58,7 +59,12 @@ void CellOrder<Dim>::sort(Points& points) {
   const Index count = points.size();
   std::vector<Index> cell(static_cast<std::size_t>(count));
   parallel_for(count, [&](Index row) {
-    cell[row] = grid_.cell_index(grid_.cell_containing(points.position<Dim>(row)));
+    const Vec<Dim> at = grid_.local(points.position<Dim>(row));
+    typename Grid<Dim>::Cell lowest;
+    for (int axis = 0; axis < Dim; ++axis) {
+      lowest[axis] = static_cast<int>(at[axis] - shift());
+    }
+    cell[row] = grid_.cell_index(lowest);
   });
   std::vector<Index> next(static_cast<std::size_t>(grid_.cell_count()) + 1, 0);
   for (Index row = 0; row < count; ++row) {
@@ -90,8 +96,8 @@ std::pair<int, int> CellOrder<Dim>::node_layers() const {
   while (last > first && begin_[last] == begin_[last - 1]) {
     --last;
   }
-  const int from = static_cast<int>(first) * layers_ - support_;
-  const int to = static_cast<int>(last) * layers_ + support_ + 1;
+  const int from = static_cast<int>(first) * layers_ - 1;
+  const int to = static_cast<int>(last) * layers_ + 6;
   return {std::max(0, from), std::min(grid_.nodes(Dim - 1), to)};
 }
 

@@ -9,8 +9,8 @@
 
 namespace lapilli {
 
-/// Keeps the points sorted by cell and cut in strips: a few layers of cells across the slowest
-/// axis. Two strips of the same parity never share a node, not even after their points have drifted
+/// Keeps the points sorted by the lowest node they touch and cut in strips: a few layers of nodes
+/// across the slowest axis. Two strips of the same parity never share a node, not even after their points have drifted
 /// one layer out of them, so a scatter over even strips and then odd ones has a fixed order for any
 /// number of threads.
 template <int Dim>
@@ -38,7 +38,7 @@ class CellOrder {
     }
   }
 
-  /// First and one-past-last layer of nodes that any point can touch.
+  /// First and one-past-last layer of nodes that any point can touch, a row of four included.
   std::pair<int, int> node_layers() const;
 
   void save(Archive& archive, const std::string& name) const;
@@ -46,6 +46,8 @@ class CellOrder {
 
  private:
   bool still_valid(const Points& points) const;
+  /// How far, in cells, the lowest node of a point lies below its cell.
+  double shift() const { return support_ == 3 ? 0.5 : 0.0; }
   void sort(Points& points);
 
   Grid<Dim> grid_;

@@ -66,7 +66,7 @@ RunStatus step_to_end(Simulation& simulation, const RunOptions& options,
   progress.tell(size, true);
   RunStatus status = RunStatus::finished;
   while (simulation.time() < simulation.end()) {
-    const StepReport report = simulation.step(schedule.next_time(simulation.time()));
+    const StepReport report = simulation.step(schedule.next_time(simulation.time()), false);
     size = report.accepted;
     statistics.count(report);
     files.after_step(statistics);

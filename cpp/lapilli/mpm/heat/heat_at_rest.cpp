@@ -6,6 +6,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/cell_order.hpp"
 #include "lapilli/mpm/heat/nodal_assembly.hpp"
+#include "lapilli/mpm/heat/step_bound.hpp"
 
 namespace lapilli {
 namespace {
@@ -108,31 +109,7 @@ void HeatAtRest<Dim>::bound_step() {
       extra[nodes.node[k]] += nodes.area[k] * nodes.conductance[k];
     }
   }
-  // Gershgorin's circles of D^-1 C^-1 K D for positive scalings D: each gives a bound, and D <- |C^-1 K|
-  // D tightens it (Collatz and Wielandt), from a start that nodes with next to no capacity do not
-  // spoil.
-  std::vector<double> scaling(lumped_.size());
-  std::transform(inverse_.begin(), inverse_.end(), scaling.begin(),
-                 [](double x) { return std::sqrt(x); });
-  double fastest = std::numeric_limits<double>::infinity();
-  for (int pass = 0; pass < 24; ++pass) {
-    std::vector<double> sum = conduction_->absolute_multiply(scaling);
-    double bound = 0.0, largest = 0.0;
-    for (std::size_t place = 0; place < sum.size(); ++place) {
-      if (scaling[place] > 0.0) {
-        sum[place] = (sum[place] + extra[place] * scaling[place]) * inverse_[place];
-        bound = std::max(bound, sum[place] / scaling[place]);
-        largest = std::max(largest, sum[place]);
-      }
-    }
-    fastest = std::min(fastest, bound);
-    if (!(largest > 0.0)) {
-      break;
-    }
-    for (std::size_t place = 0; place < sum.size(); ++place) {
-      scaling[place] = std::max(sum[place] / largest, 1e-200) * (scaling[place] > 0.0);
-    }
-  }
+  const double fastest = fastest_rate(*conduction_, lumped_, extra);
   const double by_operator = fastest > 0.0 ? 2.0 / fastest : limit_.hard;
   if (carries_points() && problem_.bodies.size() == 1) {
     limit_.hard = std::max(by_operator, h * h / coefficients_.largest_diffusivity);

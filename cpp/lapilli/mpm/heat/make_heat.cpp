@@ -1,11 +1,28 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/heat_at_rest.hpp"
+#include "lapilli/mpm/heat/heat_on_points.hpp"
 
 namespace lapilli {
+namespace {
+
+/// Whether nothing needs to touch the points in a step.
+template <int Dim>
+bool closes_on_nodes(const HeatProblem<Dim>& problem) {
+  const HeatSettings& settings = problem.settings;
+  return !problem.moving && settings.method != FluxMethod::particle &&
+         settings.transfer != HeatTransfer::affine && settings.transfer != HeatTransfer::tpic;
+}
+
+}  // namespace
 
 template <int Dim>
 std::unique_ptr<Physics> make_heat(Points& points, HeatProblem<Dim> problem) {
-  return std::make_unique<HeatAtRest<Dim>>(points, std::move(problem));
+  require(!problem.moving || problem.settings.transfer != HeatTransfer::kept,
+          "heat.transfer = \"kept\" needs points at rest, but this scene moves them");
+  if (closes_on_nodes(problem)) {
+    return std::make_unique<HeatAtRest<Dim>>(points, std::move(problem));
+  }
+  return std::make_unique<HeatOnPoints<Dim>>(points, std::move(problem));
 }
 
 template std::unique_ptr<Physics> make_heat(Points&, HeatProblem<1>);

@@ -1,0 +1,358 @@
+#include "lapilli/mpm/heat/heat_on_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/nodal_assembly.hpp"
+#include "lapilli/mpm/heat/particle_boundary.hpp"
+#include "lapilli/mpm/heat/step_bound.hpp"
+
+namespace lapilli {
+namespace {
+
+HeatTransfer chosen_transfer(const HeatSettings& settings) {
+  return settings.transfer == HeatTransfer::automatic ? HeatTransfer::affine : settings.transfer;
+}
+
+}  // namespace
+
+template <int Dim>
+HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
+    : points_(points),
+      problem_(std::move(problem)),
+      coefficients_(problem_.bodies, problem_.shape),
+      transfer_(chosen_transfer(problem_.settings)),
+      affine_(transfer_ == HeatTransfer::affine || transfer_ == HeatTransfer::tpic),
+      temperature_(points, 1),
+      capacity_(points, 1),
+      order_(problem_.grid, support_of(problem_.shape)),
+      grid_(problem_.grid, problem_.shape, coefficients_, !problem_.settings.boundaries.empty()),
+      laws_(problem_.settings.boundaries) {
+  require(transfer_ != HeatTransfer::kept,
+          "heat.transfer = \"kept\" needs points at rest that no method \"particle\" reads");
+  require(!affine_ || problem_.shape != ShapeFunction::linear, "heat.transfer = \"",
+          name_of(transfer_),
+          "\" is unstable with linear shape functions: set grid.shape_function to \"gimp\" or "
+          "\"bspline\", or heat.transfer to \"flip\"");
+  require(problem_.settings.stepping == HeatStepping::explicit_euler,
+          "heat.stepping = \"theta\" needs points at rest and heat.transfer = \"kept\"");
+  order_.update(points_);
+  const std::vector<double> capacity = point_capacities(points_, problem_.bodies);
+  const std::vector<double> start = initial_temperatures(points_, problem_.bodies);
+  std::copy(capacity.begin(), capacity.end(), capacity_.data());
+  std::copy(start.begin(), start.end(), temperature_.data());
+  if (affine_) {
+    gradient_ = std::make_unique<PointArray>(points_, Dim, 0.0, PointArray::Kind::gradient);
+    std::vector<double> gradient;
+    map_initial(points_, problem_, coefficients_, capacity, start, &gradient);
+    std::copy(gradient.begin(), gradient.end(), gradient_->data());
+  }
+  if (!laws_.empty()) {
+    surface_ = std::make_unique<HeatSurface<Dim>>(points_, problem_);
+    slope_.assign(grid_.capacity.size(), 0.0);
+  }
+  if (HeatSource<Dim>::is_present(problem_.bodies)) {
+    source_.emplace(problem_.bodies);
+  }
+  bound_step();
+  project_to_grid();
+  if (!laws_.empty()) {
+    find_surface();
+    laws_.require_all_used();
+  }
+  initial_ = ledgers().front().stored;
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::bound_step() {
+  if (limited_ordering_ == points_.ordering()) {
+    return;
+  }
+  limited_ordering_ = points_.ordering();
+  limit_ = explicit_step_limit(points_, problem_, coefficients_, capacity_.values(), transfer_);
+}
+
+template <int Dim>
+StepReport HeatOnPoints<Dim>::advance(const Step& step) {
+  order_.update(points_);
+  bound_step();
+  project_to_grid();
+  find_surface();
+  conduct();
+  exchange_with_surroundings(step);
+  solve_nodes(step.size);
+  update_points(step);
+  return {step.size, 0, 0.0};
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::project_to_grid() {
+  grid_.project(points_, order_, capacity_.data(), temperature_.data(),
+                affine_ ? gradient_->data() : nullptr);
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::find_surface() {
+  if (laws_.empty()) {
+    return;
+  }
+  if (problem_.settings.method == FluxMethod::particle) {
+    laws_.assign(particle_areas(points_, problem_), problem_.grid.cell_size());
+    return;
+  }
+  // Nodes whose capacity is the square of a rounding error take no part.
+  const NodalAreas<Dim> areas = surface_->areas(points_, coefficients_, grid_.sums);
+  negative_share_ = areas.negative_share();
+  laws_.assign(areas, problem_.grid.cell_size());
+  if (laws_.has_held_temperature()) {
+    laws_.place_probes(problem_.grid,
+                       nodal_conductivity(points_, problem_, coefficients_, grid_.sums));
+  }
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::conduct() {
+  grid_.conduct(points_, order_);
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::exchange_with_surroundings(const Step& step) {
+  if (source_) {
+    source_->assign(points_, problem_, coefficients_.half_width);
+    double heat = 0.0;
+    source_->for_each(grid_.temperature, step.time, [&](Index node, double rate) {
+      grid_.rate[node] += rate;
+      heat += step.size * rate;
+    });
+    source_->book(heat);
+  }
+  if (laws_.empty()) {
+    return;
+  }
+  if (problem_.settings.method == FluxMethod::particle) {
+    exchange_at_points(step);
+    return;
+  }
+  laws_.evaluate(grid_.temperature, step.time);
+  for (const auto& n : laws_.nodes()) {
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      grid_.rate[n.node[k]] += n.rate[k];
+      if (problem_.settings.implicit_exchange) {
+        slope_[n.node[k]] += n.slope[k];
+      }
+    }
+  }
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::exchange_at_points(const Step& step) {
+  laws_.evaluate(temperature_.values(), step.time);
+  for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
+    const auto& n = laws_.nodes()[law];
+    double heat = 0.0;
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      const Index row = n.node[k];
+      heat += step.size * n.rate[k];
+      with_shape(problem_.shape, coefficients_.half_width[points_.body()[row]], [&](auto shape) {
+        const Weights<Dim, decltype(shape)> weights(problem_.grid, shape,
+                                                    points_.position().data() + row * Dim);
+        weights.for_each_node(problem_.grid, [&](Index node, double s, const Vec<Dim>&) {
+          grid_.rate[node] += s * n.rate[k];
+        });
+      });
+    }
+    laws_.book(law, heat);
+  }
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::solve_nodes(double step) {
+  // (C + dt slope) dT = dt rate: laws that depend on T act at the end of the step.
+  const double* slope = slope_.empty() ? nullptr : slope_.data();
+  grid_.for_active_nodes([&, step, slope](Index begin, Index end) {
+    const double* capacity = grid_.capacity.data();
+    const double* rate = grid_.rate.data();
+    double* increment = grid_.increment.data();
+    for (Index node = begin; node < end; ++node) {
+      const double resistance = capacity[node] + (slope != nullptr ? step * slope[node] : 0.0);
+      increment[node] = capacity[node] > 0.0 ? step * rate[node] / resistance : 0.0;
+    }
+  });
+  if (laws_.empty() || problem_.settings.method == FluxMethod::particle) {
+    return;
+  }
+  for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
+    const auto& n = laws_.nodes()[law];
+    const bool implicit = problem_.settings.implicit_exchange;
+    double heat = 0.0;
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      const double slope_here = implicit ? n.slope[k] : 0.0;
+      heat += step * (n.rate[k] - slope_here * grid_.increment[n.node[k]]);
+      slope_[n.node[k]] = 0.0;
+    }
+    laws_.book(law, heat);
+  }
+}
+
+template <int Dim>
+double HeatOnPoints<Dim>::blend(double step) const {
+  switch (transfer_) {
+    case HeatTransfer::flip:
+      return 0.0;
+    case HeatTransfer::affine: {
+      const double h = problem_.grid.cell_size();
+      return -std::expm1(-problem_.settings.blend * step * coefficients_.largest_diffusivity /
+                         (h * h));
+    }
+    default:
+      return 1.0;
+  }
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::update_points(const Step& step) {
+  const double beta = blend(step.size);
+  grid_.for_active_nodes([&](Index begin, Index end) {
+    for (Index node = begin; node < end; ++node) {
+      grid_.blended[node] = grid_.increment[node] + beta * grid_.temperature[node];
+    }
+  });
+  grid_.update(points_, grid_.blended, beta, temperature_.data(),
+               affine_ ? gradient_->data() : nullptr);
+  output_is_current_ = false;
+  if (step.look) {
+    grid_.for_active_nodes([&](Index begin, Index end) {
+      for (Index node = begin; node < end; ++node) {
+        grid_.blended[node] = grid_.increment[node] + grid_.temperature[node];
+      }
+    });
+    show(grid_.blended);
+  }
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::show(const std::vector<double>& nodal) {
+  if (!output_temperature_) {
+    output_temperature_ = std::make_unique<PointArray>(points_, 1);
+    output_flux_ = std::make_unique<PointArray>(points_, Dim);
+  }
+  grid_.interpolate(points_, nodal, output_temperature_->data(), output_flux_->data());
+  output_is_current_ = true;
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::refresh_output() {
+  if (!output_is_current_) {
+    order_.update(points_);
+    project_to_grid();
+    show(grid_.temperature);
+  }
+  for (Index row = 0; row < points_.size(); ++row) {
+    if (!std::isfinite(temperature_[row])) {
+      throw RunError(message("heat: temperature of point ", points_.id()[row],
+                             " is not finite; a law or source gave such a value, or the step is "
+                             "too large for it"));
+    }
+  }
+}
+
+template <int Dim>
+std::vector<Field> HeatOnPoints<Dim>::fields() {
+  if (!output_temperature_) {
+    refresh_output();
+  }
+  return {{"temperature", "K", 1, output_temperature_->values()},
+          {"temperature_carried", "K", 1, temperature_.values()},
+          {"heat_flux", "W/m^2", Dim, output_flux_->values()}};
+}
+
+template <int Dim>
+std::vector<Ledger> HeatOnPoints<Dim>::ledgers() const {
+  Ledger ledger{"heat", "J", initial_, 0.0, laws_.entries(), 0.0};
+  if (source_) {
+    ledger.entries.push_back({"source", source_->booked()});
+  }
+  double low = std::numeric_limits<double>::infinity(), high = -low, capacity = 0.0;
+  for (Index row = 0; row < points_.size(); ++row) {
+    ledger.stored += capacity_[row] * temperature_[row];
+    capacity += capacity_[row];
+    low = std::min(low, temperature_[row]);
+    high = std::max(high, temperature_[row]);
+  }
+  ledger.scale = capacity * (high - low);
+  return {ledger};
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, double>> HeatOnPoints<Dim>::diagnostics() const {
+  std::vector<std::pair<std::string, double>> all;
+  if (!laws_.empty()) {
+    double area = 0.0;
+    for (const auto& nodes : laws_.nodes()) {
+      for (const double a : nodes.area) {
+        area += a;
+      }
+    }
+    all.emplace_back("surface_area", area);
+    all.emplace_back("negative_area_share", negative_share_);
+  }
+  return all;
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::save(Archive& archive) const {
+  archive.write("heat/temperature", temperature_.values());
+  archive.write("heat/capacity", capacity_.values());
+  if (gradient_) {
+    archive.write("heat/gradient", std::span<const double>(std::as_const(*gradient_).values()));
+  }
+  order_.save(archive, "heat/strips");
+  laws_.save(archive, "heat/laws");
+  if (surface_) {
+    surface_->save(archive, "heat/outside");
+  }
+  archive.write("heat/initial", initial_);
+  archive.write("heat/source", source_ ? source_->booked() : 0.0);
+  archive.write("heat/limit", std::array{limit_.hard, limit_.automatic});
+  archive.write("heat/shown", output_is_current_ ? Index{1} : Index{0});
+  if (output_is_current_) {
+    archive.write("heat/output_temperature", std::as_const(*output_temperature_).values());
+    archive.write("heat/output_flux", std::as_const(*output_flux_).values());
+  }
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::load(const Archive& archive) {
+  archive.read("heat/temperature", temperature_.values());
+  archive.read("heat/capacity", capacity_.values());
+  if (gradient_) {
+    archive.read("heat/gradient", gradient_->values());
+  }
+  order_.load(archive, "heat/strips");
+  laws_.load(archive, "heat/laws");
+  if (surface_) {
+    surface_->load(archive, "heat/outside");
+  }
+  initial_ = archive.read_number("heat/initial");
+  if (source_) {
+    source_->set_booked(archive.read_number("heat/source"));
+  }
+  std::array<double, 2> limits{};
+  archive.read("heat/limit", std::span<double>(limits));
+  limit_.hard = limits[0];
+  limit_.automatic = limits[1];
+  limited_ordering_ = points_.ordering();
+  output_is_current_ = archive.read_index("heat/shown") != 0;
+  if (output_is_current_) {
+    show(grid_.temperature);
+    archive.read("heat/output_temperature", output_temperature_->values());
+    archive.read("heat/output_flux", output_flux_->values());
+  }
+}
+
+template class HeatOnPoints<1>;
+template class HeatOnPoints<2>;
+template class HeatOnPoints<3>;
+
+}  // namespace lapilli

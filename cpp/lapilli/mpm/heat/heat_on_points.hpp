@@ -1,0 +1,78 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "lapilli/mpm/cell_order.hpp"
+#include "lapilli/mpm/heat/heat_laws.hpp"
+#include "lapilli/mpm/heat/heat_problem.hpp"
+#include "lapilli/mpm/heat/heat_source.hpp"
+#include "lapilli/mpm/heat/heat_surface.hpp"
+#include "lapilli/mpm/heat/point_grid_transfer.hpp"
+
+namespace lapilli {
+
+/// Heat conduction on points that carry temperature, and may move: points -> grid -> points every
+/// step. All transfers are one update with a blend beta,
+///
+///   T_p <- (1 - beta) T_p + S . (dT + beta T)      G_p <- (1 - beta) G_p + grad S . (dT + beta T)
+///
+/// FLIP and PIC have no gradient G and beta 0 and 1; TPIC has beta 1; `affine` has
+/// beta = 1 - exp(-c dt alpha/h^2), so that its smoothing does not depend on the step.
+template <int Dim>
+class HeatOnPoints final : public Physics {
+ public:
+  HeatOnPoints(Points& points, HeatProblem<Dim> problem);
+
+  std::string name() const override { return "heat"; }
+  StepLimit step_limit() const override { return limit_; }
+  StepReport advance(const Step& step) override;
+  void refresh_output() override;
+  std::vector<Field> fields() override;
+  std::vector<Ledger> ledgers() const override;
+  std::vector<std::pair<std::string, double>> diagnostics() const override;
+  void save(Archive& archive) const override;
+  void load(const Archive& archive) override;
+
+  /// What points carry, K: for laws of other physics, and for them to add heat to.
+  PointArray& carried_temperature() { return temperature_; }
+  const PointArray& capacity() const { return capacity_; }  // rho0 c V0, J/K
+
+ private:
+  void bound_step();
+
+  // The phases of a step.
+  void project_to_grid();
+  void find_surface();
+  void conduct();
+  void exchange_with_surroundings(const Step& step);
+  void solve_nodes(double step);
+  void update_points(const Step& step);
+
+  void exchange_at_points(const Step& step);
+  double blend(double step) const;
+  void show(const std::vector<double>& nodal);
+
+  Points& points_;
+  HeatProblem<Dim> problem_;
+  HeatCoefficients<Dim> coefficients_;
+  HeatTransfer transfer_;
+  bool affine_;  // points carry a gradient
+  PointArray temperature_, capacity_;
+  std::unique_ptr<PointArray> gradient_;
+  CellOrder<Dim> order_;
+  PointGridTransfer<Dim> grid_;
+  HeatLaws<Dim> laws_;
+  std::unique_ptr<HeatSurface<Dim>> surface_;
+  std::optional<HeatSource<Dim>> source_;
+  std::vector<double> slope_;  // of the laws by node, W/K; empty without laws
+  StepLimit limit_;
+  Index limited_ordering_ = -1;  // ordering that limit_ was bounded for
+  double initial_ = 0.0;         // J
+  double area_ = 0.0, negative_share_ = 0.0;
+
+  std::unique_ptr<PointArray> output_temperature_, output_flux_;
+  bool output_is_current_ = false;
+};
+
+}  // namespace lapilli

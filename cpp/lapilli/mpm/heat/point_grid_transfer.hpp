@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "lapilli/mpm/cell_order.hpp"
+#include "lapilli/mpm/heat/heat_problem.hpp"
+#include "lapilli/mpm/heat/point_fields.hpp"
+
+namespace lapilli {
+
+/// The sums over points that a step of heat needs, and the nodal arrays they fill. The loops hold
+/// the nodes of consecutive points in registers for as long as they stay the same.
+template <int Dim>
+class PointGridTransfer {
+ public:
+  PointGridTransfer(const Grid<Dim>& grid, ShapeFunction shape,
+                    const HeatCoefficients<Dim>& coefficients, bool with_surface);
+
+  /// Capacity C_I = sum m S and, as `temperature`, sum m S (T_p + G_p . (x_I - x_p)) / C_I; with a
+  /// surface also sum V S / h^dim and sum V grad S. `gradient` may be null. Clears the rate.
+  void project(const Points& points, const CellOrder<Dim>& order, const double* capacity,
+               const double* carried, const double* gradient);
+  /// rate_I -= sum V grad S . k grad T.
+  void conduct(const Points& points, const CellOrder<Dim>& order);
+  /// carried <- (1 - beta) carried + S . nodal, the gradient likewise (null: none).
+  void update(const Points& points, const std::vector<double>& nodal, double beta, double* carried,
+              double* gradient);
+  /// value = S . nodal and flux = -k grad S . nodal at every point.
+  void interpolate(const Points& points, const std::vector<double>& nodal, double* value,
+                   double* flux);
+
+  /// Run body(begin, end) over ranges of nodes that points can touch.
+  template <class Body>
+  void for_active_nodes(const Body& body) const {
+    parallel_ranges(last_ - first_, [&](Index begin, Index end) {
+      body(first_ + begin, first_ + end);
+    });
+  }
+
+  // By node of the grid, four more at the end for loads of whole rows; zero where inactive.
+  std::vector<double> capacity, temperature, rate, increment;
+  std::vector<double> blended;  // dT + beta T
+  NodalSums<Dim> sums;          // with a surface
+
+ private:
+  template <class Body>
+  void with_shapes(const Body& body) const;
+  void clear(const CellOrder<Dim>& order);
+
+  Grid<Dim> grid_;
+  ShapeFunction shape_;
+  const HeatCoefficients<Dim>& coefficients_;
+  bool with_surface_;
+  std::vector<double> area_[Dim];  // sum V grad S by axis, while it is summed
+  Index first_ = 0, last_ = 0;     // nodes that points can touch
+};
+
+}  // namespace lapilli

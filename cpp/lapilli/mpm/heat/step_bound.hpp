@@ -1,0 +1,22 @@
+#pragma once
+
+#include "lapilli/mpm/heat/point_fields.hpp"
+#include "lapilli/mpm/stencil_matrix.hpp"
+
+namespace lapilli {
+
+/// A bound on the largest eigenvalue of C^-1 (K + diag(extra)), 1/s, from Gershgorin's circles of
+/// D^-1 C^-1 K D; the scaling D is improved pass by pass, and every pass is a bound of its own.
+template <int Dim>
+double fastest_rate(const StencilMatrix<Dim>& conduction, std::span<const double> lumped,
+                    std::span<const double> extra);
+
+/// Limits of an explicit step for points that carry temperature. One material: h^2/alpha for FLIP
+/// and PIC, 1.6 l h/alpha (GIMP half-width l, at most 0.4 h^2/alpha) for transfers with a gradient;
+/// several: the bound of the nodal operator at the points' present places.
+template <int Dim>
+StepLimit explicit_step_limit(const Points& points, const HeatProblem<Dim>& problem,
+                              const HeatCoefficients<Dim>& coefficients,
+                              std::span<const double> capacity, HeatTransfer transfer);
+
+}  // namespace lapilli
