@@ -7,8 +7,8 @@
 
 namespace lapilli {
 
-Simulation::Simulation(std::unique_ptr<Points> points, std::vector<std::unique_ptr<Physics>> physics,
-                       Clock clock)
+Simulation::Simulation(std::unique_ptr<Points> points,
+                       std::vector<std::unique_ptr<Physics>> physics, Clock clock)
     : points_(std::move(points)), physics_(std::move(physics)), clock_(clock) {
   require(!physics_.empty(), "the scene contains no physics: add a section such as [heat]");
   next_step_size();

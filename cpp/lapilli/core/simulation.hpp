@@ -16,8 +16,8 @@ class Simulation {
   /// How steps are chosen: `fixed_step` > 0 is taken as it is (refused above the hard limit),
   /// otherwise the smallest automatic step of the physics.
   struct Clock {
-    double end = 0.0;         // s
-    double fixed_step = 0.0;  // s; 0: automatic
+    double end = 0.0;                                               // s
+    double fixed_step = 0.0;                                        // s; 0: automatic
     double largest_step = std::numeric_limits<double>::infinity();  // s, for unlimited physics
   };
 

@@ -116,10 +116,11 @@ void require_inside(const Grid<Dim>& grid, const Points& points) {
   for (Index row = 0; row < points.size(); ++row) {
     const Vec<Dim> x = points.position<Dim>(row);
     if (!grid.contains(x)) {
-      throw RunError(message("point ", points.id()[row], " of body ", points.body()[row],
-                             x.allFinite() ? " left the grid" : " has a position that is not finite",
-                             ", position (", x.transpose(), "), grid (", grid.lower().transpose(),
-                             ") to (", grid.upper().transpose(), ")"));
+      throw RunError(
+          message("point ", points.id()[row], " of body ", points.body()[row],
+                  x.allFinite() ? " left the grid" : " has a position that is not finite",
+                  ", position (", x.transpose(), "), grid (", grid.lower().transpose(), ") to (",
+                  grid.upper().transpose(), ")"));
     }
   }
 }

@@ -10,9 +10,9 @@
 namespace lapilli {
 
 /// Keeps the points sorted by the lowest node they touch and cut in strips: a few layers of nodes
-/// across the slowest axis. Two strips of the same parity never share a node, not even after their points have drifted
-/// one layer out of them, so a scatter over even strips and then odd ones has a fixed order for any
-/// number of threads.
+/// across the slowest axis. Two strips of the same parity never share a node, not even after their
+/// points have drifted one layer out of them, so a scatter over even strips and then odd ones has a
+/// fixed order for any number of threads.
 template <int Dim>
 class CellOrder {
  public:

@@ -13,67 +13,99 @@ constexpr double full_turn = 2.0 * std::numbers::pi;
 
 template <int Dim>
 Vec<Dim> vector_of(const std::vector<double>& values, const char* what) {
+  if (values.empty()) {
+    return Vec<Dim>::Zero();
+  }
   require(values.size() == static_cast<std::size_t>(Dim), what, " needs ", Dim, " numbers, got ",
           values.size());
   return Eigen::Map<const Vec<Dim>>(values.data());
 }
 
-template <int Dim>
-Mat<Dim> rotation_by(double angle, const std::vector<double>& axis) {
-  if constexpr (Dim == 2) {
-    return Eigen::Rotation2Dd(angle).toRotationMatrix();
-  } else if constexpr (Dim == 3) {
-    return Eigen::AngleAxisd(angle, vector_of<3>(axis, "motion.axis").normalized())
-        .toRotationMatrix();
-  } else {
-    return Mat<Dim>::Identity();
-  }
-}
-
-/// Where a point that started at `start` is at `time`, and the gradient of that map.
+/// Where a point that started at `start` is now, and the gradient of that map.
 template <int Dim>
 struct Placed {
   Vec<Dim> position;
   Mat<Dim> deformation;
 };
 
+/// A motion at one time, ready to place points.
 template <int Dim>
-Placed<Dim> placed(const Rotation& motion, const Vec<Dim>& start, double time) {
-  const Vec<Dim> center = vector_of<Dim>(motion.center, "motion.center");
-  const Mat<Dim> turn =
-      rotation_by<Dim>(full_turn * motion.revolutions_per_second * time, motion.axis);
-  return {center + turn * (start - center), turn};
-}
+struct RigidMap {
+  Mat<Dim> turn = Mat<Dim>::Identity();
+  Vec<Dim> centre = Vec<Dim>::Zero(), shift = Vec<Dim>::Zero();
 
-template <int Dim>
-Placed<Dim> placed(const Translation& motion, const Vec<Dim>& start, double time) {
-  return {start + time * vector_of<Dim>(motion.velocity, "motion.velocity"),
-          Mat<Dim>::Identity()};
-}
-
-template <int Dim>
-Placed<Dim> placed(const Swirl& motion, const Vec<Dim>& start, double time) {
-  if constexpr (Dim == 2) {
-    const Vec<2> center = vector_of<2>(motion.center, "motion.center");
-    const Vec<2> away = start - center;
-    const double rate = full_turn * motion.revolutions_per_second;
-    const double share = away.squaredNorm() / (motion.radius * motion.radius);
-    const double angle = rate * (1.0 + motion.shear * (1.0 - share)) * time;
-    const Mat<2> turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
-    // d(turn away)/d away = turn + (d turn/d angle) away (d angle/d away)^T
-    const Vec<2> slope = -2.0 * rate * motion.shear * time / (motion.radius * motion.radius) * away;
-    const Mat<2> quarter = Eigen::Rotation2Dd(0.5 * std::numbers::pi).toRotationMatrix();
-    return {center + turn * away, turn + quarter * turn * away * slope.transpose()};
-  } else {
-    return {start, Mat<Dim>::Identity()};
+  Placed<Dim> operator()(const Vec<Dim>& start) const {
+    return {centre + turn * (start - centre) + shift, turn};
   }
+};
+
+template <int Dim>
+struct SwirlMap {
+  Vec<Dim> centre = Vec<Dim>::Zero();
+  double angle = 0.0, shear = 0.0, radius = 1.0;  // of the rim
+
+  Placed<Dim> operator()(const Vec<Dim>& start) const {
+    if constexpr (Dim == 2) {
+      const Vec<2> away = start - centre;
+      const double share = away.squaredNorm() / (radius * radius);
+      const Mat<2> turn =
+          Eigen::Rotation2Dd(angle * (1.0 + shear * (1.0 - share))).toRotationMatrix();
+      // d(turn away)/d away = turn + (d turn/d angle) away (d angle/d away)^T
+      const Vec<2> slope = -2.0 * angle * shear / (radius * radius) * away;
+      const Vec<2> turned = turn * away;
+      return {centre + turned, turn + Vec<2>(-turned[1], turned[0]) * slope.transpose()};
+    } else {
+      return {start, Mat<Dim>::Identity()};
+    }
+  }
+};
+
+template <int Dim>
+using PlaceMap = std::variant<RigidMap<Dim>, SwirlMap<Dim>>;
+
+template <int Dim>
+PlaceMap<Dim> map_at(const Rotation& motion, double time) {
+  RigidMap<Dim> map;
+  map.centre = vector_of<Dim>(motion.center, "motion.center");
+  const double angle = full_turn * motion.revolutions_per_second * time;
+  if constexpr (Dim == 2) {
+    map.turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  } else if constexpr (Dim == 3) {
+    const Vec<3> axis = vector_of<3>(motion.axis, "motion.axis");
+    require(axis.norm() > 0.0, "motion.axis must have a length");
+    map.turn = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+  }
+  return map;
+}
+
+template <int Dim>
+PlaceMap<Dim> map_at(const Translation& motion, double time) {
+  RigidMap<Dim> map;
+  map.shift = time * vector_of<Dim>(motion.velocity, "motion.velocity");
+  return map;
+}
+
+template <int Dim>
+PlaceMap<Dim> map_at(const Swirl& motion, double time) {
+  return SwirlMap<Dim>{vector_of<Dim>(motion.center, "motion.center"),
+                       full_turn * motion.revolutions_per_second * time, motion.shear,
+                       motion.radius};
+}
+
+template <int Dim>
+std::vector<PlaceMap<Dim>> maps_at(const std::vector<std::optional<Motion>>& motions, double time) {
+  std::vector<PlaceMap<Dim>> maps;
+  for (const auto& motion : motions) {
+    maps.push_back(motion ? std::visit([&](const auto& m) { return map_at<Dim>(m, time); }, *motion)
+                          : PlaceMap<Dim>(RigidMap<Dim>{}));
+  }
+  return maps;
 }
 
 }  // namespace
 
 template <int Dim>
-PrescribedMotion<Dim>::PrescribedMotion(Points& points,
-                                        std::vector<std::optional<Motion>> motions)
+PrescribedMotion<Dim>::PrescribedMotion(Points& points, std::vector<std::optional<Motion>> motions)
     : points_(points), motions_(std::move(motions)), start_(points, Dim) {
   for (std::size_t body = 0; body < motions_.size(); ++body) {
     if (!motions_[body]) {
@@ -83,9 +115,8 @@ PrescribedMotion<Dim>::PrescribedMotion(Points& points,
             ".motion: a line of points can only be translated");
     require(Dim == 2 || !std::holds_alternative<Swirl>(*motions_[body]), "bodies.", body,
             ".motion: a swirl needs two dimensions");
-    std::visit([](const auto& motion) { placed<Dim>(motion, Vec<Dim>::Zero(), 0.0); },
-               *motions_[body]);
   }
+  maps_at<Dim>(motions_, 0.0);  // refuses what the dimension does not allow
   std::copy(points.position().begin(), points.position().end(), start_.data());
 }
 
@@ -98,18 +129,17 @@ StepLimit PrescribedMotion<Dim>::step_limit() const {
 
 template <int Dim>
 StepReport PrescribedMotion<Dim>::advance(const Step& step) {
-  const double before = step.time, after = step.time + step.size;
-  const auto place = [this](Index row, double time) {
+  const auto before = maps_at<Dim>(motions_, step.time);
+  const auto after = maps_at<Dim>(motions_, step.time + step.size);
+  const auto place = [this](const std::vector<PlaceMap<Dim>>& maps, Index row) {
     const Vec<Dim> start = Eigen::Map<const Vec<Dim>>(start_.data() + row * Dim);
-    const auto& motion = motions_[points_.body()[row]];
-    return motion ? std::visit([&](const auto& m) { return placed<Dim>(m, start, time); }, *motion)
-                  : Placed<Dim>{start, Mat<Dim>::Identity()};
+    return std::visit([&](const auto& map) { return map(start); }, maps[points_.body()[row]]);
   };
   parallel_for(points_.size(), [&](Index row) {
-    Eigen::Map<Vec<Dim>>(points_.position().data() + row * Dim) = place(row, after).position;
+    Eigen::Map<Vec<Dim>>(points_.position().data() + row * Dim) = place(after, row).position;
   });
   points_.moved<Dim>([&](Index row) -> Mat<Dim> {
-    return place(row, after).deformation * place(row, before).deformation.inverse();
+    return place(after, row).deformation * place(before, row).deformation.inverse();
   });
   return {step.size, 0, 0.0};
 }

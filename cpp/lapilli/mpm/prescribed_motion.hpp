@@ -15,16 +15,17 @@ namespace lapilli {
 /// Turning about a fixed axis at a constant rate.
 struct Rotation {
   static constexpr const char* kind = "rotation";
-  double revolutions_per_second = 0.0;         // 1/s, positive counter-clockwise
-  std::vector<double> center{0.0, 0.0};        // m
-  std::vector<double> axis{0.0, 0.0, 1.0};     // 3D only; need not be of unit length
+  double revolutions_per_second = 0.0;      // 1/s, positive counter-clockwise
+  std::vector<double> center;               // m; empty: the origin
+  std::vector<double> axis{0.0, 0.0, 1.0};  // 3D only; need not be of unit length
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit(Key("revolutions_per_second").unit("1/s").required().text("positive counter-clockwise"),
           self.revolutions_per_second);
-    visit(Key("center").unit("m").text("a place on the axis"), self.center);
-    visit(Key("axis").text("direction of the axis, in 3D"), self.axis);
+    visit(Key("center").unit("m").length(0, 3).text("a place on the axis; empty: the origin"),
+          self.center);
+    visit(Key("axis").length(3, 3).text("direction of the axis, in 3D"), self.axis);
   }
 };
 
@@ -35,7 +36,8 @@ struct Translation {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("velocity").unit("m/s").required().text("one number an axis"), self.velocity);
+    visit(Key("velocity").unit("m/s").required().length(1, 3).text("one number an axis"),
+          self.velocity);
   }
 };
 
@@ -43,10 +45,10 @@ struct Translation {
 /// radius R stays a disc. For tests of moving points with an exact answer.
 struct Swirl {
   static constexpr const char* kind = "swirl";
-  double revolutions_per_second = 0.0;   // 1/s, at the rim
-  double shear = 0.4;                    // s
-  double radius = 1.0;                   // m
-  std::vector<double> center{0.0, 0.0};  // m
+  double revolutions_per_second = 0.0;  // 1/s, at the rim
+  double shear = 0.4;                   // s
+  double radius = 1.0;                  // m
+  std::vector<double> center;           // m; empty: the origin
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -54,7 +56,8 @@ struct Swirl {
           self.revolutions_per_second);
     visit(Key("shear").text("s of w (1 + s (1 - r^2/R^2))"), self.shear);
     visit(Key("radius").unit("m").positive().text("R, the rim"), self.radius);
-    visit(Key("center").unit("m").text("centre of the swirl"), self.center);
+    visit(Key("center").unit("m").length(0, 3).text("centre of the swirl; empty: the origin"),
+          self.center);
   }
 };
 

@@ -8,8 +8,8 @@
 namespace lapilli {
 
 /// Shape function values of a point as rows of nodes along the first axis: what the transfer loops
-/// work on: a Quad is four neighbouring nodes of a row, the last lanes zero where two or three are in
-/// reach. Gradients are per metre.
+/// work on: a Quad is four neighbouring nodes of a row, the last lanes zero where two or three are
+/// in reach. Gradients are per metre.
 template <int Dim, class Shape>
 struct RowWeights {
   static constexpr int support = Shape::support;
@@ -68,9 +68,9 @@ struct RowWeights {
     }
   }
 
-  Index first;                    // lowest node in reach
-  double from_base[Dim];          // m, position minus that of the lowest node
-  Quad along{}, along_slope{};    // along the first axis
+  Index first;                  // lowest node in reach
+  double from_base[Dim];        // m, position minus that of the lowest node
+  Quad along{}, along_slope{};  // along the first axis
   double across[Dim > 1 ? Dim - 1 : 1][support];
   double across_slope[Dim > 1 ? Dim - 1 : 1][support];
 };

@@ -9,41 +9,12 @@
 #include "lapilli/core/value.hpp"
 #include "lapilli/geometry/shape.hpp"
 #include "lapilli/materials/thermal.hpp"
+#include "lapilli/mpm/prescribed_motion.hpp"
 
 namespace lapilli {
 
 /// What a body is made of; each physics takes the one it knows.
 using Material = std::variant<Thermal>;
-
-/// A body turned at constant speed.
-struct RotationMotion {
-  static constexpr const char* kind = "rotation";
-  std::vector<double> center;                  // m; empty: the origin
-  double revolutions_per_second = 0.0;         // 1/s, anticlockwise
-  std::vector<double> axis = {0.0, 0.0, 1.0};  // three dimensions only
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit(Key("center").unit("m").length(0, 3).text("point that stays; empty: the origin"),
-          self.center);
-    visit(Key("revolutions_per_second").unit("1/s").required().text("speed, anticlockwise"),
-          self.revolutions_per_second);
-    visit(Key("axis").length(3, 3).text("direction that stays, in three dimensions"), self.axis);
-  }
-};
-
-/// A body moved at constant velocity.
-struct TranslationMotion {
-  static constexpr const char* kind = "translation";
-  std::vector<double> velocity;  // m/s
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit(Key("velocity").unit("m/s").required().length(1, 3).text("velocity"), self.velocity);
-  }
-};
-
-using Motion = std::variant<RotationMotion, TranslationMotion>;
 
 /// Points handed over by a program; no file holds them.
 struct GivenPoints {
@@ -107,7 +78,7 @@ struct Body {
     visit(Key("temperature").unit("K").text("temperature at the start"), self.temperature);
     visit(Key("source").unit("W/m3").text("heat released in its volume"), self.source);
     visit(Key("velocity").unit("m/s").length(0, 3).text("velocity at the start"), self.velocity);
-    visit(Key("motion").text("prescribed rigid motion"), self.motion);
+    visit(Key("motion").text("prescribed motion"), self.motion);
   }
 };
 

@@ -96,6 +96,13 @@ std::unique_ptr<Simulation> build_in(const Scene& scene) {
   if (scene.heat) {
     physics.push_back(heat_of<Dim>(scene, grid, filled, *points));
   }
+  if (has_motion(scene)) {
+    std::vector<std::optional<Motion>> motions;
+    for (const Body& body : scene.bodies) {
+      motions.push_back(body.motion);
+    }
+    physics.push_back(std::make_unique<PrescribedMotion<Dim>>(*points, std::move(motions)));
+  }
   return in_file(scene, scene.time.steps ? "time.steps" : "time.step", [&] {
     return std::make_unique<Simulation>(std::move(points), std::move(physics), clock_of(scene));
   });

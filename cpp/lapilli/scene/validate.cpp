@@ -105,12 +105,15 @@ void check_axis(const Scene& scene, const std::vector<double>& axis, const std::
 }
 
 void check_motion(const Scene& scene, const Motion& motion, const std::string& path) {
-  if (const auto* turn = std::get_if<RotationMotion>(&motion)) {
+  if (const auto* turn = std::get_if<Rotation>(&motion)) {
     require_at(dimension_of(scene) > 1, scene, path, "cannot turn a body in one dimension");
     check_dimension(scene, turn->center, path + ".center");
     check_axis(scene, turn->axis, path + ".axis");
+  } else if (const auto* line = std::get_if<Translation>(&motion)) {
+    check_dimension(scene, line->velocity, path + ".velocity");
   } else {
-    check_dimension(scene, std::get<TranslationMotion>(motion).velocity, path + ".velocity");
+    require_at(dimension_of(scene) == 2, scene, path, "a swirl needs two dimensions");
+    check_dimension(scene, std::get<Swirl>(motion).center, path + ".center");
   }
 }
 

@@ -24,10 +24,9 @@ HeatAtRest<Dim>::HeatAtRest(Points& points, HeatProblem<Dim> problem)
       coefficients_(problem_.bodies, problem_.shape),
       transfer_(chosen_transfer(problem_.settings)),
       laws_(problem_.settings.boundaries) {
-  require(problem_.settings.stepping == HeatStepping::explicit_euler ||
-              transfer_ == HeatTransfer::kept,
-          "heat.stepping = \"theta\" needs heat.transfer = \"kept\", got \"", name_of(transfer_),
-          "\"");
+  require(
+      problem_.settings.stepping == HeatStepping::explicit_euler || transfer_ == HeatTransfer::kept,
+      "heat.stepping = \"theta\" needs heat.transfer = \"kept\", got \"", name_of(transfer_), "\"");
   CellOrder<Dim>(problem_.grid, support_of(problem_.shape)).update(points_);
   assemble();
   bound_step();
@@ -90,8 +89,8 @@ void HeatAtRest<Dim>::assemble() {
     source_->renumber(place_of);
   }
   if (problem_.settings.stepping == HeatStepping::theta) {
-    theta_ = std::make_unique<ThetaSolver<Dim>>(*rows_, *conduction_, lumped_,
-                                                problem_.settings.solver);
+    theta_ =
+        std::make_unique<ThetaSolver<Dim>>(*rows_, *conduction_, lumped_, problem_.settings.solver);
   }
   initial_ = ledgers().front().stored;
 }
@@ -236,9 +235,8 @@ StepReport HeatAtRest<Dim>::advance_implicitly(const Step& step) {
         }
       }
       if (source_) {
-        source_->for_each(trial, time, [&](Index place, double rate) {
-          to[place] += factor * rate;
-        });
+        source_->for_each(trial, time,
+                          [&](Index place, double rate) { to[place] += factor * rate; });
       }
     };
     const auto total = [&](double time, double factor) {
@@ -268,7 +266,8 @@ StepReport HeatAtRest<Dim>::advance_implicitly(const Step& step) {
       }
       conduction_->multiply(middle.data(), [&](Index place, int count, const auto& product) {
         for (int k = 0; k < count; ++k) {
-          residual[place + k] -= size * product[k] + lumped_[place + k] * (trial[place + k] - temperature_[place + k]);
+          residual[place + k] -=
+              size * product[k] + lumped_[place + k] * (trial[place + k] - temperature_[place + k]);
         }
       });
       theta_->prepare(weight * size, laws_);

@@ -105,9 +105,8 @@ void PointGridTransfer<Dim>::clear(const CellOrder<Dim>& order) {
       }
     }
   };
-  parallel_ranges(last_ - first_, [&](Index begin, Index end) {
-    clear_range(first_ + begin, first_ + end);
-  });
+  parallel_ranges(last_ - first_,
+                  [&](Index begin, Index end) { clear_range(first_ + begin, first_ + end); });
   const auto [from, to] = order.node_layers();
   const Index layer = grid_.node_stride(Dim - 1);
   first_ = from * layer;
@@ -220,14 +219,13 @@ void PointGridTransfer<Dim>::conduct(const Points& points, const CellOrder<Dim>&
         for (int axis = 1; axis < Dim; ++axis) {
           gradient_parts[axis] = w.along * slope[axis];
         }
-        const Quad added =
-            lapilli::sums(gradient_parts[0], gradient_parts[1], gradient_parts[2], gradient_parts[3]);
+        const Quad added = lapilli::sums(gradient_parts[0], gradient_parts[1], gradient_parts[2],
+                                         gradient_parts[3]);
         Vec<Dim> gradient;
         for (int axis = 0; axis < Dim; ++axis) {
           gradient[axis] = added[axis];
         }
-        const Vec<Dim> flux =
-            volume[row] * (coefficients_.conductivity[body[row]] * gradient);
+        const Vec<Dim> flux = volume[row] * (coefficients_.conductivity[body[row]] * gradient);
         const Quad along_part = w.along_slope * flux[0];
         w.for_each_row(grid_, [&](int r, Index, double across) {
           double across_part = 0.0;
@@ -265,7 +263,8 @@ void PointGridTransfer<Dim>::update(const Points& points, const std::vector<doub
       });
       Quad parts[4] = {w.along * level, Quad{}, Quad{}, Quad{}};
       if (carried_gradient == nullptr) {
-        carried[row] = keep * carried[row] + (parts[0][0] + parts[0][1]) + (parts[0][2] + parts[0][3]);
+        carried[row] =
+            keep * carried[row] + (parts[0][0] + parts[0][1]) + (parts[0][2] + parts[0][3]);
         return;
       }
       parts[1] = w.along_slope * level;

@@ -65,9 +65,8 @@ StepLimit explicit_step_limit(const Points& points, const HeatProblem<Dim>& prob
     }
     return limit;
   }
-  const NodalOperators<Dim> operators =
-      assemble_operators(points, problem, coefficients,
-                         std::vector<double>(capacity.begin(), capacity.end()), false);
+  const NodalOperators<Dim> operators = assemble_operators(
+      points, problem, coefficients, std::vector<double>(capacity.begin(), capacity.end()), false);
   const std::vector<double> none(operators.lumped.size(), 0.0);
   limit.hard = 2.0 / fastest_rate(*operators.conduction, operators.lumped, none);
   limit.automatic = 0.6 * limit.hard;
@@ -75,11 +74,11 @@ StepLimit explicit_step_limit(const Points& points, const HeatProblem<Dim>& prob
   return limit;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                                 \
-  template double fastest_rate(const StencilMatrix<Dim>&, std::span<const double>,               \
-                               std::span<const double>);                                         \
-  template StepLimit explicit_step_limit(const Points&, const HeatProblem<Dim>&,                 \
-                                         const HeatCoefficients<Dim>&, std::span<const double>,  \
+#define LAPILLI_INSTANTIATE(Dim)                                                                \
+  template double fastest_rate(const StencilMatrix<Dim>&, std::span<const double>,              \
+                               std::span<const double>);                                        \
+  template StepLimit explicit_step_limit(const Points&, const HeatProblem<Dim>&,                \
+                                         const HeatCoefficients<Dim>&, std::span<const double>, \
                                          HeatTransfer);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)
