@@ -1,6 +1,7 @@
 #include "lapilli/output/frame_column.hpp"
 
 #include <bit>
+#include <numeric>
 #include <set>
 
 #include "lapilli/core/parallel.hpp"
@@ -10,10 +11,8 @@ namespace lapilli {
 namespace {
 
 std::vector<int> in_order(int components) {
-  std::vector<int> source;
-  for (int k = 0; k < components; ++k) {
-    source.push_back(k);
-  }
+  std::vector<int> source(static_cast<std::size_t>(components));
+  std::iota(source.begin(), source.end(), 0);
   return source;
 }
 

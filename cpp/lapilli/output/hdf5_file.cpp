@@ -103,7 +103,7 @@ Hdf5Id hdf5_create(const std::filesystem::path& path) {
 
 void hdf5_create_whole(const std::filesystem::path& path, const std::function<void(hid_t)>& fill) {
   const std::filesystem::path temporary = with_ending(path, ".tmp");
-  File(temporary, File::Mode::create);  // says plainly why a file cannot be made
+  const File says_plainly_why_not(temporary, File::Mode::create);
   try {
     Hdf5Id file = hdf5_create(temporary);
     fill(file);

@@ -33,6 +33,9 @@ void RunFiles::resume(RunStatistics& statistics) {
           path.string(), "'");
   const Checkpoint checkpoint = load_checkpoint(path);
   require_same_scene(checkpoint, record_.fingerprint, path);
+  const double time = checkpoint.state.read_number("clock/time");
+  require(time <= simulation_.end(), "the checkpoint '", path.string(), "' is of time ", time,
+          " s, after the end of this run at ", simulation_.end(), " s");
   simulation_.load(checkpoint.state);
   statistics.load(checkpoint.state);
   kept_frames_ = checkpoint.state.read_index("run/frames");

@@ -103,6 +103,7 @@ TEST_CASE("a run stopped anywhere and resumed writes the same bytes as one never
     Simulation begun = made_simulation(end);
     REQUIRE(run(begun, options).status == RunStatus::interrupted);
     REQUIRE(read_index(output).times.back() == begun.time());
+    REQUIRE_THAT(bytes_of(record_path(output)), Catch::Contains("\"interrupted\""));
     options.resume = true;
     options.interrupted = after_steps(5);  // and once more, when it is not done by then
     Simulation resumed = made_simulation(end);
@@ -138,6 +139,23 @@ TEST_CASE("a checkpoint between frames does not change the frames") {
   Simulation resumed = made_simulation(end);
   run(resumed, options);
   REQUIRE(files_of(output) == files_of(whole));
+}
+
+TEST_CASE("a finished run goes on to a later end, with other frames, without its odd last frame") {
+  const ScratchFolder folder;
+  RunOptions options = options_for(folder / "run.vtkhdf");
+  Simulation first = made_simulation(0.25);
+  run(first, options);
+  REQUIRE(read_index(options.output).times.back() == 0.25);
+  options.resume = true;
+  options.frame_interval = 0.2;
+  Simulation second = made_simulation(0.7);
+  run(second, options);
+  REQUIRE(read_index(options.output).times ==
+          std::vector<double>{0.0, 0.1, 2 * 0.1, 2 * 0.2, 3 * 0.2, 0.7});
+  Simulation shorter = made_simulation(0.5);
+  REQUIRE_THROWS_WITH(run(shorter, options), Catch::Contains("after the end"));
+  REQUIRE(read_index(options.output).frames() == 6);
 }
 
 TEST_CASE("a failing step leaves the last good frame and checkpoint, and a record of why") {

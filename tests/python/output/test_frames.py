@@ -1,6 +1,7 @@
 """Frames as other programs read them."""
 
 import subprocess
+import sys
 
 import h5py
 import pytest
@@ -71,6 +72,20 @@ def test_frames_move_together_and_a_missing_data_file_is_no_crash(drivers, check
     (moved / "run.vtkhdf.data").unlink()
     with pytest.raises((KeyError, OSError)):
         check_frame(moved / "run.vtkhdf", POINTS, 2)
+
+
+@pytest.mark.parametrize("planned", [3, 1], ids=["linked", "joined"])
+def test_vtk_survives_a_missing_data_file(drivers, tmp_path, planned):
+    """In a process of its own: vtk may complain, it must not crash."""
+    pytest.importorskip("pyvista")
+    path = tmp_path / "run.vtkhdf"
+    write(drivers, path, 3, planned)
+    for file in tmp_path.glob("run.vtkhdf.data*"):
+        file.unlink()
+    code = f"import pyvista; pyvista.get_reader({str(path)!r}).read(); print('alive')"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert run.returncode >= 0  # negative: killed by a signal
+    assert "alive" in run.stdout or "Error" in run.stderr
 
 
 def test_a_reader_that_holds_the_files_does_not_stop_the_writer(drivers, check_frame, tmp_path):
