@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <cstring>
-#include <regex>
+#include <sstream>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/file_bytes.hpp"
@@ -20,6 +20,14 @@ void append(const std::string& bytes, std::size_t from, std::size_t count,
   }
 }
 
+// What stands in the header between `from`, after the key, and `to`; empty if there is none.
+std::string entry(const std::string& header, const std::string& key, char from, char to) {
+  const std::size_t at = header.find("'" + key + "':");
+  const std::size_t first = at == std::string::npos ? at : header.find(from, at + key.size() + 3);
+  const std::size_t last = first == std::string::npos ? first : header.find(to, first + 1);
+  return last == std::string::npos ? "" : header.substr(first + 1, last - first - 1);
+}
+
 }  // namespace
 
 NumberTable read_npy_table(const std::string& path) {
@@ -33,19 +41,17 @@ NumberTable read_npy_table(const std::string& path) {
   require(data <= bytes.size(), path, ": cut short within its header");
   const std::string text = bytes.substr(from, header);
 
-  std::smatch type, shape;
-  const bool has_type = std::regex_search(text, type, std::regex("'descr': *'([^']*)'"));
-  const bool has_shape = std::regex_search(
-      text, shape, std::regex("'shape': *\\( *([0-9]{1,15}) *, *([0-9]{1,15}) *\\)"));
-  require(has_type && (type[1] == "<f8" || type[1] == "<f4"), path,
-          ": numbers must be float64 or float32 in little-endian order, got '",
-          has_type ? type[1].str() : "", "'");
-  require(has_shape && text.find("'fortran_order': False") != std::string::npos, path,
-          ": the array must have two dimensions in C order, got ", text);
+  const std::string type = entry(text, "descr", '\'', '\'');
+  require(type == "<f8" || type == "<f4", path,
+          ": numbers must be float64 or float32 in little-endian order, got '", type, "'");
+  std::istringstream shape(entry(text, "shape", '(', ')'));
   NumberTable table;
-  table.rows = std::stoull(shape[1]);
-  table.columns = std::stoull(shape[2]);
-  const std::size_t size = type[1] == "<f8" ? 8 : 4, held = (bytes.size() - data) / size;
+  char comma = ' ';
+  shape >> table.rows >> comma >> table.columns;
+  require(!shape.fail() && comma == ',' && shape.peek() == std::char_traits<char>::eof() &&
+              text.find("'fortran_order': False") != std::string::npos,
+          path, ": the array must have two dimensions in C order, got ", text);
+  const std::size_t size = type == "<f8" ? 8 : 4, held = (bytes.size() - data) / size;
   require(table.columns > 0 && table.rows <= held / table.columns, path,
           ": cut short: ", table.rows, " x ", table.columns, " numbers are promised, ", held,
           " are held");

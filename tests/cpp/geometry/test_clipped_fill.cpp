@@ -92,6 +92,30 @@ TEST_CASE("one box cut by a circle has the area of the circular segment") {
   }
 }
 
+TEST_CASE("sums over clipped points converge at second order") {
+  // Integral of x^2 over the unit disk: pi/4. One point at the centroid of a box misses its own
+  // second moment, side^2/12 of its volume.
+  const Shape disk = Disk{{0.013, 0.027}, 1.0};
+  double errors[3];
+  for (int level = 0; level < 3; ++level) {
+    const double spacing = 0.25 / (1 << level);
+    const auto error = [](const FilledPoints& points) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        sum += points.volume[k] * std::pow(points.position[2 * k] - 0.013, 2);
+      }
+      return std::abs(sum - pi / 4);
+    };
+    errors[level] = error(clipped(disk, Vec3(-2, -2, 0), spacing, 2));
+    CAPTURE(level, errors[level]);
+    // Whole boxes alone would miss pi side^2 / 12; those on the rim are smaller.
+    REQUIRE(errors[level] < pi * spacing * spacing / 12);
+    REQUIRE(errors[level] > 0.8 * pi * spacing * spacing / 12);
+  }
+  REQUIRE(std::log2(errors[0] / errors[1]) == Approx(2.0).margin(0.1));
+  REQUIRE(std::log2(errors[1] / errors[2]) == Approx(2.0).margin(0.1));
+}
+
 TEST_CASE("corners made of curves are clipped to 1e-6 of a box") {
   // The lens of two unit disks one apart: 2 pi/3 - sqrt(3)/2.
   const Shape lens = Intersection{{Disk{{0, 0}, 1}, Disk{{1, 0}, 1}}};
