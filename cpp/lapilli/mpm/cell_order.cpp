@@ -19,10 +19,15 @@ CellOrder<Dim>::CellOrder(const Grid<Dim>& grid, int support)
 
 template <int Dim>
 void CellOrder<Dim>::update(Points& points) {
+  if (points.version() == version_ && points.ordering() == ordering_) {
+    return;
+  }
   if (!still_valid(points)) {
     require_inside(grid_, points);
     sort(points);
   }
+  version_ = points.version();
+  ordering_ = points.ordering();
 }
 
 template <int Dim>
@@ -30,24 +35,35 @@ bool CellOrder<Dim>::still_valid(const Points& points) const {
   if (begin_.back() != points.size()) {
     return false;
   }
-  const double* position = points.position().data();
-  const Vec<Dim> slack = Vec<Dim>::Constant(1e-9 * grid_.cell_size());
-  const Vec<Dim> lower = grid_.lower() - slack, upper = grid_.upper() + slack;
-  const double origin = grid_.origin()[Dim - 1], inverse_h = grid_.inverse_cell_size();
+  // Bounds repeat with the coordinates; twelve of them hold whole points in any dimension.
+  constexpr int period = 12;
+  const double slack = 1e-9 * grid_.cell_size();
   std::atomic<bool> valid{true};
   parallel_tasks(strip_count(), [&](Index strip) {
-    const double first = static_cast<double>(strip * layers_ - 1);
-    const double last = static_cast<double>((strip + 1) * layers_ + 1);
-    bool inside = true;
-    for (Index row = begin_[strip]; row < begin_[strip + 1]; ++row) {
-      const double* x = position + row * Dim;
-      for (int axis = 0; axis < Dim; ++axis) {
-        inside = inside & (x[axis] >= lower[axis]) & (x[axis] <= upper[axis]);
+    double lower[period], upper[period];
+    for (int k = 0; k < period; ++k) {
+      lower[k] = grid_.lower()[k % Dim] - slack;
+      upper[k] = grid_.upper()[k % Dim] + slack;
+      if (k % Dim == Dim - 1) {
+        const double origin = grid_.origin()[Dim - 1] + shift() * grid_.cell_size();
+        const auto first = static_cast<double>(strip * layers_ - 1);
+        const auto last = static_cast<double>((strip + 1) * layers_ + 1);
+        lower[k] = std::max(lower[k], origin + first * grid_.cell_size());
+        upper[k] = std::min(upper[k], origin + last * grid_.cell_size() - slack);
       }
-      const double layer = (x[Dim - 1] - origin) * inverse_h - shift();
-      inside = inside & (layer >= first) & (layer < last);
     }
-    if (!inside) {
+    const double* x = points.position().data() + begin_[strip] * Dim;
+    const double* end = points.position().data() + begin_[strip + 1] * Dim;
+    int outside = 0;
+    for (; x + period <= end; x += period) {
+      for (int k = 0; k < period; ++k) {
+        outside |= !(x[k] >= lower[k]) | !(x[k] <= upper[k]);
+      }
+    }
+    for (int k = 0; x + k < end; ++k) {
+      outside |= !(x[k] >= lower[k]) | !(x[k] <= upper[k]);
+    }
+    if (outside != 0) {
       valid.store(false, std::memory_order_relaxed);
     }
   });

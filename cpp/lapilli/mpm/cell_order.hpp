@@ -52,8 +52,9 @@ class CellOrder {
 
   Grid<Dim> grid_;
   int support_;
-  int layers_;                // of a strip
-  std::vector<Index> begin_;  // first row of each strip, and one past the last
+  int layers_;                          // of a strip
+  std::vector<Index> begin_;            // first row of each strip, and one past the last
+  Index version_ = -1, ordering_ = -1;  // of the points that were checked last
 };
 
 /// Throws RunError naming the first point (by id) outside the grid or not finite.

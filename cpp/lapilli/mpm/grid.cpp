@@ -7,13 +7,14 @@ namespace lapilli {
 template <int Dim>
 Grid<Dim>::Grid(const Vec<Dim>& lower, const Vec<Dim>& upper, double cell_size)
     : lower_(lower), upper_(upper), h_(cell_size), inverse_h_(1.0 / cell_size) {
-  require(std::isfinite(cell_size) && cell_size > 0.0, "grid.cell must be positive, got ", cell_size);
+  require(std::isfinite(cell_size) && cell_size > 0.0, "grid.cell must be positive, got ",
+          cell_size);
   require(lower.allFinite() && upper.allFinite(), "grid.lower and grid.upper must be finite");
   node_count_ = cell_count_ = 1;
   for (int axis = 0; axis < Dim; ++axis) {
     const double count = (upper[axis] - lower[axis]) / cell_size;
-    require(count > 0.5, "grid.upper must be above grid.lower along axis ", axis, ", got ", lower[axis],
-            " and ", upper[axis]);
+    require(count > 0.5, "grid.upper must be above grid.lower along axis ", axis, ", got ",
+            lower[axis], " and ", upper[axis]);
     require(count < 1e9, "grid has ", count, " cells along axis ", axis, "; at most 1e9");
     require(std::abs(count - std::round(count)) < 1e-6, "grid.upper - grid.lower along axis ", axis,
             " must be a whole number of cells: ", upper[axis] - lower[axis], " m are ", count,

@@ -191,12 +191,12 @@ std::vector<double> non_negative_areas(const Grid<Dim>& grid, std::span<const In
 template struct NodalAreas<1>;
 template struct NodalAreas<2>;
 template struct NodalAreas<3>;
-#define LAPILLI_INSTANTIATE(Dim)                                                                  \
-  template std::vector<Index> surface_nodes(const Grid<Dim>&, std::span<const unsigned char>,     \
-                                            std::span<const double>);                             \
-  template NodalAreas<Dim> nodal_normal_areas(const Grid<Dim>&, const NodalSums<Dim>&,            \
-                                              std::vector<Index>, int, bool);                     \
-  template std::vector<double> non_negative_areas(const Grid<Dim>&, std::span<const Index>,       \
+#define LAPILLI_INSTANTIATE(Dim)                                                              \
+  template std::vector<Index> surface_nodes(const Grid<Dim>&, std::span<const unsigned char>, \
+                                            std::span<const double>);                         \
+  template NodalAreas<Dim> nodal_normal_areas(const Grid<Dim>&, const NodalSums<Dim>&,        \
+                                              std::vector<Index>, int, bool);                 \
+  template std::vector<double> non_negative_areas(const Grid<Dim>&, std::span<const Index>,   \
                                                   std::span<const double>);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

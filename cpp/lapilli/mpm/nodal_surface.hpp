@@ -58,11 +58,11 @@ struct NodalSums {
 /// depend on the state (a negative area would make those grow).
 template <int Dim>
 struct NodalAreas {
-  std::vector<Index> node;           // increasing
-  std::vector<double> area;          // m^(dim-1)
-  std::vector<double> positive;      // m^(dim-1)
-  std::vector<Vec<Dim>> normal;      // outward, unit or zero
-  std::vector<Vec3> position;        // of the node projected to the surface, m
+  std::vector<Index> node;       // increasing
+  std::vector<double> area;      // m^(dim-1)
+  std::vector<double> positive;  // m^(dim-1)
+  std::vector<Vec<Dim>> normal;  // outward, unit or zero
+  std::vector<Vec3> position;    // of the node projected to the surface, m
 
   /// Sum of the negative areas over the sum of all.
   double negative_share() const;

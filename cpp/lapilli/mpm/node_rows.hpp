@@ -14,9 +14,9 @@ template <int Dim>
 class NodeRows {
  public:
   struct Row {
-    Index grid_row;     // number of the row in the grid
-    int begin, end;     // active span along the first axis; may be empty
-    Index shift;        // place of node (i, row) is shift + i
+    Index grid_row;  // number of the row in the grid
+    int begin, end;  // active span along the first axis; may be empty
+    Index shift;     // place of node (i, row) is shift + i
   };
 
   /// `active`: one flag a node of the grid.

@@ -82,9 +82,8 @@ void OutsideCells<Dim>::close() {
       continue;
     }
     for (int body = 0; body < bodies_ && closed_[cell] == 0; ++body) {
-      closed_[cell] = std::all_of(offsets.begin(), offsets.end(), [&](Index offset) {
-        return near_body(cell + offset, body);
-      });
+      closed_[cell] = std::all_of(offsets.begin(), offsets.end(),
+                                  [&](Index offset) { return near_body(cell + offset, body); });
     }
   }
 }

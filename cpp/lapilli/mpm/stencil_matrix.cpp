@@ -58,7 +58,8 @@ std::vector<double> StencilMatrix<Dim>::absolute_multiply(std::span<const double
       double sum = std::abs(coefficient_[place]) * x[place];
       for (std::size_t s = 1; s < later_.size(); ++s) {
         const double* c = coefficient_.data() + static_cast<Index>(s) * rows_->size() + place;
-        sum += std::abs(c[0]) * x[place + later[s]] + std::abs(c[earlier[s]]) * x[place + earlier[s]];
+        sum +=
+            std::abs(c[0]) * x[place + later[s]] + std::abs(c[earlier[s]]) * x[place + earlier[s]];
       }
       product[place] = sum;
     }

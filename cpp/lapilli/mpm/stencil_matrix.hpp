@@ -42,7 +42,8 @@ class StencilMatrix {
   /// |matrix| x at the active places, zero elsewhere: the row sums that Gershgorin's circles need.
   std::vector<double> absolute_multiply(std::span<const double> x) const;
 
-  /// The lower triangle and diagonal as a sparse matrix; `number` numbers the places (-1: left out).
+  /// The lower triangle and diagonal as a sparse matrix; `number` numbers the places (-1: left
+  /// out).
   void append_triplets(std::span<const Index> number, double scale,
                        std::vector<Eigen::Triplet<double>>& triplets) const;
 
@@ -66,8 +67,8 @@ class StencilMatrix {
   const NodeRows<Dim>* rows_;
   int width_;
   Index centre_;
-  std::vector<Neighbour> later_;      // slot 0 is the node itself
-  std::vector<double> coefficient_;   // slot-major
+  std::vector<Neighbour> later_;     // slot 0 is the node itself
+  std::vector<double> coefficient_;  // slot-major
 };
 
 template <int Dim>
@@ -77,8 +78,8 @@ void StencilMatrix<Dim>::multiply(const double* x, const Body& body) const {
   const Index size = rows_->size();
   const auto slots = static_cast<Index>(later_.size());
   // Rows are handed out in groups of about a piece, whatever the number of threads.
-  const Index group = std::max<Index>(1, piece_rows * static_cast<Index>(rows.size()) /
-                                             std::max<Index>(1, size));
+  const Index group =
+      std::max<Index>(1, piece_rows * static_cast<Index>(rows.size()) / std::max<Index>(1, size));
   parallel_tasks((static_cast<Index>(rows.size()) + group - 1) / group, [&](Index task) {
     std::vector<Index> later, earlier;
     const Index last = std::min(static_cast<Index>(rows.size()), (task + 1) * group);
@@ -86,8 +87,7 @@ void StencilMatrix<Dim>::multiply(const double* x, const Body& body) const {
       const auto& row = rows[r];
       distances(row, later, earlier);
       for (Index place = row.shift + row.begin; place < row.shift + row.end; place += lanes) {
-        const int count =
-            static_cast<int>(std::min<Index>(lanes, row.shift + row.end - place));
+        const int count = static_cast<int>(std::min<Index>(lanes, row.shift + row.end - place));
         Block product;
         if (count == lanes) {
           const double* c = coefficient_.data() + place;

@@ -21,9 +21,7 @@ const Shape* region_of(const HeatBoundary& law) {
 
 std::string name_of_law(const HeatBoundary& law, std::size_t index) {
   return std::visit(
-      [&](const auto& l) {
-        return l.name.empty() ? message(l.kind, " ", index + 1) : l.name;
-      },
+      [&](const auto& l) { return l.name.empty() ? message(l.kind, " ", index + 1) : l.name; },
       law);
 }
 
@@ -96,8 +94,7 @@ void HeatLaws<Dim>::assign(const NodalAreas<Dim>& areas, double cell_size) {
 
 template <int Dim>
 void HeatLaws<Dim>::place_probes(
-    const Grid<Dim>& grid,
-    const std::function<double(Index, const Vec<Dim>&)>& conductivity) {
+    const Grid<Dim>& grid, const std::function<double(Index, const Vec<Dim>&)>& conductivity) {
   constexpr int corners = 1 << Dim;
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     if (!is_held(laws_[law])) {

@@ -12,7 +12,8 @@
 namespace lapilli {
 
 /// The laws on the surface, each on the nodes its region selects. A law gives every node a rate of
-/// heat (W) and its slope -d rate/dT (W/K) for the implicit diagonal; what really came in is booked.
+/// heat (W) and its slope -d rate/dT (W/K) for the implicit diagonal; what really came in is
+/// booked.
 template <int Dim>
 class HeatLaws {
  public:
@@ -26,7 +27,7 @@ class HeatLaws {
     std::vector<double> rate;    // W
     std::vector<double> slope;   // W/K, not negative
     // Held temperatures only:
-    std::vector<double> conductance;  // conductivity / probe depth, W/(m^2 K)
+    std::vector<double> conductance;              // conductivity / probe depth, W/(m^2 K)
     std::vector<std::pair<Index, double>> probe;  // 2^dim nodes and weights an entry
   };
 
@@ -34,7 +35,7 @@ class HeatLaws {
 
   bool empty() const { return laws_.empty(); }
   bool has_held_temperature() const;
-  bool is_linear() const;         // no radiation, no callable
+  bool is_linear() const;           // no radiation, no callable
   bool has_constant_slope() const;  // besides, no coefficient tabulated in time
   const std::vector<Nodes>& nodes() const { return nodes_; }
 
@@ -42,7 +43,8 @@ class HeatLaws {
   void assign(const NodalAreas<Dim>& areas, double cell_size);
   /// Place the probes of held temperatures, one cell below the surface. `conductivity` is the
   /// nodal n.k.n (W/(m K)).
-  void place_probes(const Grid<Dim>& grid, const std::function<double(Index, const Vec<Dim>&)>& conductivity);
+  void place_probes(const Grid<Dim>& grid,
+                    const std::function<double(Index, const Vec<Dim>&)>& conductivity);
 
   /// Replace every node number by number(node), for temperatures stored in another order.
   template <class Number>

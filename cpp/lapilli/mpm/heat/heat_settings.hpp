@@ -71,8 +71,8 @@ struct Names<HeatSolver> {
 struct PrescribedFlux {
   static constexpr const char* kind = "flux";
   std::string name;
-  Value value;                   // W/m^2, positive into the body
-  std::optional<Shape> region;   // the surface inside this shape; all that is left when absent
+  Value value;                  // W/m^2, positive into the body
+  std::optional<Shape> region;  // the surface inside this shape; all that is left when absent
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -86,15 +86,18 @@ struct PrescribedFlux {
 struct Convection {
   static constexpr const char* kind = "convection";
   std::string name;
-  Value coefficient;            // W/(m^2 K)
-  Value ambient;                // K
+  Value coefficient;  // W/(m^2 K)
+  Value ambient;      // K
   std::optional<Shape> region;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit(Key("name").text("name of the region in ledger and messages"), self.name);
-    visit(Key("coefficient").unit("W/(m^2 K)").non_negative().required().text(
-              "heat transfer coefficient"),
+    visit(Key("coefficient")
+              .unit("W/(m^2 K)")
+              .non_negative()
+              .required()
+              .text("heat transfer coefficient"),
           self.coefficient);
     visit(Key("ambient").unit("K").required().text("temperature far away"), self.ambient);
     visit(Key("region").text("shape that selects the surface"), self.region);
@@ -105,18 +108,21 @@ struct Convection {
 struct Radiation {
   static constexpr const char* kind = "radiation";
   std::string name;
-  Value emissivity = 1.0;                     // 0 to 1
-  Value ambient;                              // K, absolute
-  double stefan_boltzmann = 5.670374419e-8;   // W/(m^2 K^4), in the scene's units
+  Value emissivity = 1.0;                    // 0 to 1
+  Value ambient;                             // K, absolute
+  double stefan_boltzmann = 5.670374419e-8;  // W/(m^2 K^4), in the scene's units
   std::optional<Shape> region;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit(Key("name").text("name of the region in ledger and messages"), self.name);
     visit(Key("emissivity").range(0.0, 1.0).text("emissivity"), self.emissivity);
-    visit(Key("ambient").unit("K").required().non_negative().text("absolute temperature far away"), self.ambient);
-    visit(Key("stefan_boltzmann").unit("W/(m^2 K^4)").positive().text(
-              "Stefan-Boltzmann constant in the scene's units"),
+    visit(Key("ambient").unit("K").required().non_negative().text("absolute temperature far away"),
+          self.ambient);
+    visit(Key("stefan_boltzmann")
+              .unit("W/(m^2 K^4)")
+              .positive()
+              .text("Stefan-Boltzmann constant in the scene's units"),
           self.stefan_boltzmann);
     visit(Key("region").text("shape that selects the surface"), self.region);
   }
@@ -126,7 +132,7 @@ struct Radiation {
 struct PrescribedTemperature {
   static constexpr const char* kind = "temperature";
   std::string name;
-  Value value;                  // K
+  Value value;  // K
   std::optional<Shape> region;
 
   template <class Self, class Visitor>
@@ -144,14 +150,14 @@ struct HeatSettings {
   FluxMethod method = FluxMethod::virtual_flux;
   HeatTransfer transfer = HeatTransfer::automatic;
   HeatStepping stepping = HeatStepping::explicit_euler;
-  double theta = 0.5;                           // 0.5 Crank-Nicolson, 1 backward Euler
+  double theta = 0.5;  // 0.5 Crank-Nicolson, 1 backward Euler
   HeatSolver solver = HeatSolver::automatic;
-  double blend = 4.0;                           // c of beta = 1 - exp(-c dt alpha/h^2)
-  int normal_smoothing = 2;                     // passes of 1/4, 1/2, 1/4 before nodal normals
-  double surface_fraction = 0.55;               // eta of the paper's surface rule
-  bool implicit_exchange = true;                // convection and radiation at the end of the step
-  bool corner_fit = true;                       // fitted vector at sharp corners
-  bool rescale_areas = false;                   // areas scaled to a contour; sparse points
+  double blend = 4.0;              // c of beta = 1 - exp(-c dt alpha/h^2)
+  int normal_smoothing = 2;        // passes of 1/4, 1/2, 1/4 before nodal normals
+  double surface_fraction = 0.55;  // eta of the paper's surface rule
+  bool implicit_exchange = true;   // convection and radiation at the end of the step
+  bool corner_fit = true;          // fitted vector at sharp corners
+  bool rescale_areas = false;      // areas scaled to a contour; sparse points
   std::vector<HeatBoundary> boundaries;
 
   template <class Self, class Visitor>
@@ -161,18 +167,24 @@ struct HeatSettings {
     visit(Key("stepping").text("explicit Euler or the implicit theta scheme"), self.stepping);
     visit(Key("theta").range(0.5, 1.0).text("implicitness of the theta scheme"), self.theta);
     visit(Key("solver").text("linear solver of the theta scheme"), self.solver);
-    visit(Key("blend").range(0.0, 1e3).text("c of the step-scaled blend 1 - exp(-c dt alpha/h^2)"), self.blend);
+    visit(Key("blend").range(0.0, 1e3).text("c of the step-scaled blend 1 - exp(-c dt alpha/h^2)"),
+          self.blend);
     visit(Key("normal_smoothing").range(0, 16).text("smoothing passes before nodal normals"),
           self.normal_smoothing);
-    visit(Key("surface_fraction").range(0.0, 1.0, true).text(
-              "volume fraction below which a cell is surface (method paper)"),
+    visit(Key("surface_fraction")
+              .range(0.0, 1.0, true)
+              .text("volume fraction below which a cell is surface (method paper)"),
           self.surface_fraction);
-    visit(Key("implicit_exchange").text(
-              "take convection and radiation at the end of the step, stable for any coefficient"),
-          self.implicit_exchange);
+    visit(
+        Key("implicit_exchange")
+            .text(
+                "take convection and radiation at the end of the step, stable for any coefficient"),
+        self.implicit_exchange);
     visit(Key("corner_fit").text("give sharp corners their whole area"), self.corner_fit);
-    visit(Key("rescale_areas").text("scale areas to a smoothed contour, for sparse points"), self.rescale_areas);
-    visit(Key("boundaries").text("flux laws and held temperatures; the first region that covers a place wins"),
+    visit(Key("rescale_areas").text("scale areas to a smoothed contour, for sparse points"),
+          self.rescale_areas);
+    visit(Key("boundaries")
+              .text("flux laws and held temperatures; the first region that covers a place wins"),
           self.boundaries);
   }
 };

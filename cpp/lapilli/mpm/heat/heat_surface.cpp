@@ -171,13 +171,13 @@ NodalAreas<Dim> face_areas(const Grid<Dim>& grid, const Points& points,
   return areas;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                               \
-  template class HeatSurface<Dim>;                                                             \
-  template NodalSums<Dim> nodal_sums(const Points&, const HeatProblem<Dim>&,                   \
-                                     const HeatCoefficients<Dim>&);                            \
-  template NodalAreas<Dim> paper_areas(const Points&, const HeatProblem<Dim>&,                 \
-                                       const HeatCoefficients<Dim>&, const NodalSums<Dim>&);   \
-  template NodalAreas<Dim> face_areas(const Grid<Dim>&, const Points&,                         \
+#define LAPILLI_INSTANTIATE(Dim)                                                             \
+  template class HeatSurface<Dim>;                                                           \
+  template NodalSums<Dim> nodal_sums(const Points&, const HeatProblem<Dim>&,                 \
+                                     const HeatCoefficients<Dim>&);                          \
+  template NodalAreas<Dim> paper_areas(const Points&, const HeatProblem<Dim>&,               \
+                                       const HeatCoefficients<Dim>&, const NodalSums<Dim>&); \
+  template NodalAreas<Dim> face_areas(const Grid<Dim>&, const Points&,                       \
                                       std::span<const unsigned char>);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

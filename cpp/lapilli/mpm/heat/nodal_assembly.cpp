@@ -27,9 +27,8 @@ NodalOperators<Dim> assemble_operators(const Points& points, const HeatProblem<D
   NodalOperators<Dim> made;
   std::vector<double> lumped(static_cast<std::size_t>(grid.node_count()), 0.0);
   for_each_point(points, problem, coefficients, [&](Index row, const auto& weights) {
-    weights.for_each_node(grid, [&](Index node, double s, const Vec<Dim>&) {
-      lumped[node] += capacity[row] * s;
-    });
+    weights.for_each_node(
+        grid, [&](Index node, double s, const Vec<Dim>&) { lumped[node] += capacity[row] * s; });
   });
   // A shape value of the square of a rounding error touches no node: a point exactly at the end of
   // its reach. Dropping it loses 1e-14 of a slope.
@@ -39,8 +38,7 @@ NodalOperators<Dim> assemble_operators(const Points& points, const HeatProblem<D
   for (std::size_t node = 0; node < lumped.size(); ++node) {
     active[node] = lumped[node] > least;
   }
-  made.rows =
-      std::make_unique<NodeRows<Dim>>(grid, active, support_of(problem.shape) - 1);
+  made.rows = std::make_unique<NodeRows<Dim>>(grid, active, support_of(problem.shape) - 1);
   made.lumped.assign(static_cast<std::size_t>(made.rows->size()), 0.0);
   for (std::size_t node = 0; node < lumped.size(); ++node) {
     if (active[node] != 0) {
@@ -111,12 +109,12 @@ std::function<double(Index, const Vec<Dim>&)> nodal_conductivity(
   };
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                                \
-  template NodalOperators<Dim> assemble_operators(const Points&, const HeatProblem<Dim>&,       \
-                                                  const HeatCoefficients<Dim>&,                 \
-                                                  const std::vector<double>&, bool);            \
-  template std::function<double(Index, const Vec<Dim>&)> nodal_conductivity(                    \
-      const Points&, const HeatProblem<Dim>&, const HeatCoefficients<Dim>&,                     \
+#define LAPILLI_INSTANTIATE(Dim)                                                          \
+  template NodalOperators<Dim> assemble_operators(const Points&, const HeatProblem<Dim>&, \
+                                                  const HeatCoefficients<Dim>&,           \
+                                                  const std::vector<double>&, bool);      \
+  template std::function<double(Index, const Vec<Dim>&)> nodal_conductivity(              \
+      const Points&, const HeatProblem<Dim>&, const HeatCoefficients<Dim>&,               \
       const NodalSums<Dim>&);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

@@ -14,8 +14,8 @@ HeatCoefficients<Dim>::HeatCoefficients(const std::vector<HeatBody>& bodies, Sha
     capacity.push_back(body.material.capacity());
     conductivity.push_back(body.material.conductivity.block<Dim>());
     half_width.push_back(shape == ShapeFunction::bspline ? 0.5 : body.half_width);
-    largest_diffusivity = std::max(largest_diffusivity, largest_conductivity(body.material) /
-                                                            body.material.capacity());
+    largest_diffusivity = std::max(largest_diffusivity,
+                                   largest_conductivity(body.material) / body.material.capacity());
   }
   uniform = true;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -33,7 +33,8 @@ std::vector<double> point_capacities(const Points& points, const std::vector<Hea
   return capacity;
 }
 
-std::vector<double> initial_temperatures(const Points& points, const std::vector<HeatBody>& bodies) {
+std::vector<double> initial_temperatures(const Points& points,
+                                         const std::vector<HeatBody>& bodies) {
   std::vector<double> temperature(static_cast<std::size_t>(points.size()));
   for (std::size_t body = 0; body < bodies.size(); ++body) {
     std::vector<Index> rows;
@@ -111,9 +112,8 @@ std::vector<double> map_initial(const Points& points, const HeatProblem<Dim>& pr
     for_each_point([&](Index row, const auto& weights) {
       Eigen::Map<Vec<Dim>> g(carried.data() + row * Dim);
       g.setZero();
-      weights.for_each_node(grid, [&](Index node, double, const Vec<Dim>& slope) {
-        g += heat[node] * slope;
-      });
+      weights.for_each_node(
+          grid, [&](Index node, double, const Vec<Dim>& slope) { g += heat[node] * slope; });
     });
   }
   if (gradient != nullptr) {
@@ -125,11 +125,10 @@ std::vector<double> map_initial(const Points& points, const HeatProblem<Dim>& pr
 template struct HeatCoefficients<1>;
 template struct HeatCoefficients<2>;
 template struct HeatCoefficients<3>;
-#define LAPILLI_INSTANTIATE(Dim)                                                               \
-  template std::vector<double> map_initial(const Points&, const HeatProblem<Dim>&,             \
-                                           const HeatCoefficients<Dim>&,                       \
-                                           const std::vector<double>&,                         \
-                                           const std::vector<double>&, std::vector<double>*);
+#define LAPILLI_INSTANTIATE(Dim)                                            \
+  template std::vector<double> map_initial(                                 \
+      const Points&, const HeatProblem<Dim>&, const HeatCoefficients<Dim>&, \
+      const std::vector<double>&, const std::vector<double>&, std::vector<double>*);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)

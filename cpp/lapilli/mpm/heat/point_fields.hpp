@@ -11,11 +11,11 @@ template <int Dim>
 struct HeatCoefficients {
   explicit HeatCoefficients(const std::vector<HeatBody>& bodies, ShapeFunction shape);
 
-  std::vector<double> capacity;           // rho0 c by body, J/(m^3 K)
-  std::vector<Mat<Dim>> conductivity;     // by body, W/(m K)
-  std::vector<double> half_width;         // of the shape function by body, cells
-  double largest_diffusivity = 0.0;       // m^2/s
-  bool uniform = false;                   // one isotropic material, one half-width
+  std::vector<double> capacity;        // rho0 c by body, J/(m^3 K)
+  std::vector<Mat<Dim>> conductivity;  // by body, W/(m K)
+  std::vector<double> half_width;      // of the shape function by body, cells
+  double largest_diffusivity = 0.0;    // m^2/s
+  bool uniform = false;                // one isotropic material, one half-width
 };
 
 /// Capacity rho0 c V0 of every point from its present (undeformed) volume, J/K.

@@ -2,62 +2,12 @@
 
 #include <algorithm>
 
-#include "lapilli/mpm/row_weights.hpp"
+#include "lapilli/mpm/patch_weights.hpp"
 
 namespace lapilli {
 namespace {
 
-constexpr Index padding = 4;  // a row load may reach past the last node
-
-/// Rows of four nodes held in registers while consecutive points share their lowest node.
-template <int Dim, int Rows, int Arrays>
-class HeldRows {
- public:
-  HeldRows(const Grid<Dim>& grid, const std::array<double*, Arrays>& arrays)
-      : stride_{1, Dim > 1 ? grid.node_stride(Dim > 1 ? 1 : 0) : 0,
-                Dim > 2 ? grid.node_stride(Dim > 2 ? 2 : 0) : 0},
-        arrays_(arrays) {}
-
-  void hold(Index first) {
-    if (first != first_) {
-      flush();
-      first_ = first;
-    }
-  }
-  void flush() {
-    if (first_ < 0) {
-      return;
-    }
-    for (int array = 0; array < Arrays; ++array) {
-      for (int row = 0; row < Rows; ++row) {
-        double* at = arrays_[array] + first_ + offset(row);
-        store_quad(at, load_quad(at) + held[array][row]);
-        held[array][row] = Quad{};
-      }
-    }
-  }
-
-  Quad held[Arrays][Rows] = {};
-
- private:
-  Index offset(int row) const {
-    if constexpr (Dim == 1) {
-      return 0;
-    } else if constexpr (Dim == 2) {
-      return row * stride_[1];
-    } else {
-      constexpr int support = Rows == 4 ? 2 : 3;
-      return (row % support) * stride_[1] + (row / support) * stride_[2];
-    }
-  }
-
-  Index stride_[3];
-  std::array<double*, Arrays> arrays_;
-  Index first_ = -1;
-};
-
-/// Distances of four nodes from the lowest one, m.
-inline Quad lane_distances(double h) { return Quad{0.0, h, 2.0 * h, 3.0 * h}; }
+constexpr Index padding = 4;  // reading a patch may reach past the last node
 
 }  // namespace
 
@@ -66,6 +16,9 @@ PointGridTransfer<Dim>::PointGridTransfer(const Grid<Dim>& grid, ShapeFunction s
                                           const HeatCoefficients<Dim>& coefficients,
                                           bool with_surface)
     : grid_(grid), shape_(shape), coefficients_(coefficients), with_surface_(with_surface) {
+  for (const double width : coefficients.half_width) {
+    gimp_.emplace_back(width);
+  }
   const auto nodes = static_cast<std::size_t>(grid.node_count() + padding);
   for (auto* values : {&capacity, &temperature, &rate, &increment, &blended}) {
     values->assign(nodes, 0.0);
@@ -84,9 +37,13 @@ template <int Dim>
 template <class Body>
 void PointGridTransfer<Dim>::with_shapes(const Body& body) const {
   if (shape_ == ShapeFunction::linear) {
-    body([](Index) { return LinearShape{}; });
+    body(OneShape<LinearShape>{});
+  } else if (std::all_of(gimp_.begin(), gimp_.end(), [this](const GimpShape& shape) {
+               return shape.half_width == gimp_.front().half_width;
+             })) {
+    body(OneShape<GimpShape>{gimp_.front()});
   } else {
-    body([widths = coefficients_.half_width.data()](Index b) { return GimpShape{widths[b]}; });
+    body([shapes = gimp_.data()](Index b) { return shapes[b]; });
   }
 }
 
@@ -122,62 +79,68 @@ void PointGridTransfer<Dim>::project(const Points& points, const CellOrder<Dim>&
   const double* volume = points.volume().data();
   const Index* body = points.body().data();
   const double per_cell = 1.0 / grid_.cell_volume();
-  const Quad lanes = lane_distances(grid_.cell_size());
-  const double h = grid_.cell_size();
-  with_shapes([&](auto shape_of) {
-    using PointShape = decltype(shape_of(0));
-    using Rows = RowWeights<Dim, PointShape>;
-    order.for_each_strip([&, shape_of](Index begin, Index end) {
-      HeldRows<Dim, Rows::rows, 2> sum(grid_, {capacity.data(), temperature.data()});
-      for (Index row = begin; row < end; ++row) {
-        const Rows w(grid_, shape_of(body[row]), position + row * Dim);
-        sum.hold(w.first);
-        const double m = point_capacity[row];
-        if (gradient == nullptr) {
-          const double heat = m * carried[row];
-          w.for_each_row(grid_, [&](int r, Index, double across) {
-            sum.held[0][r] += w.along * (across * m);
-            sum.held[1][r] += w.along * (across * heat);
-          });
-        } else {
-          const double* g = gradient + row * Dim;
-          // T_p + G_p . (x_I - x_p) along a row: constant plus slope times the lane's distance.
-          const Quad tilted = w.along * ((lanes - w.from_base[0]) * g[0]);
-          w.for_each_row(grid_, [&](int r, Index, double across) {
-            double constant = carried[row];
-            if constexpr (Dim >= 2) {
-              constant += g[1] * ((r % Rows::support) * h - w.from_base[1]);
-            }
-            if constexpr (Dim == 3) {
-              constant += g[2] * ((r / Rows::support) * h - w.from_base[2]);
-            }
-            sum.held[0][r] += w.along * (across * m);
-            sum.held[1][r] += (w.along * constant + tilted) * (across * m);
-          });
-        }
+  const auto sweep = [&](auto shape_of, auto affine, auto surface) {
+    using Function = std::decay_t<decltype(shape_of(0))>;
+    using Patch = PatchWeights<Dim, Function>;
+    const PatchNodes<Dim, Function> nodes(grid_);
+    order.for_each_strip([&](Index begin, Index end) {
+      HeldPatches<Dim, Function, 2> held(nodes, {capacity.data(), temperature.data()});
+      std::array<double*, 1 + Dim> arrays{sums.fraction.data()};
+      for (int axis = 0; axis < Dim; ++axis) {
+        arrays[1 + axis] = area_[axis].data();
       }
-      sum.flush();
-      if (with_surface_) {
-        std::array<double*, 1 + Dim> arrays{sums.fraction.data()};
-        for (int axis = 0; axis < Dim; ++axis) {
-          arrays[1 + axis] = area_[axis].data();
+      HeldPatches<Dim, Function, 1 + Dim> shell(nodes, arrays);
+      for_points(grid_, begin, end, position, shape_of, body, [&](Index row, const auto& w) {
+        held.hold(w.first());
+        const double m = point_capacity[row];
+        // T_p + G_p . (x_I - x_p) over a patch: constant plus what varies within it.
+        const double* g = gradient + row * Dim;
+        Quad tilt{};
+        if constexpr (affine) {
+          for (int axis = 0; axis < Patch::inner; ++axis) {
+            tilt += (nodes.lanes(axis) - w.from_base(axis)) * g[axis];
+          }
         }
-        HeldRows<Dim, Rows::rows, 1 + Dim> surface(grid_, arrays);
-        for (Index row = begin; row < end; ++row) {
-          const Rows w(grid_, shape_of(body[row]), position + row * Dim);
-          surface.hold(w.first);
-          const double v = volume[row];
-          w.for_each_row(grid_, [&](int r, Index, double across) {
-            surface.held[0][r] += w.along * (across * v * per_cell);
-            surface.held[1][r] += w.along_slope * (across * v);
-            for (int axis = 1; axis < Dim; ++axis) {
-              surface.held[1 + axis][r] += w.along * (w.slope_across(r, axis) * v);
+#pragma GCC unroll 9
+        for (int patch = 0; patch < Patch::patches; ++patch) {
+          double constant = carried[row];
+          if constexpr (affine) {
+            for (int axis = Patch::inner; axis < Dim; ++axis) {
+              constant += g[axis] * (nodes.distance(patch, axis) - w.from_base(axis));
             }
-          });
+          }
+          const Quad mass = w.value() * (w.across(patch) * m);
+          held.sum[0][patch] += mass;
+          held.sum[1][patch] += mass * (tilt + constant);
         }
-        surface.flush();
+        if constexpr (surface) {
+          shell.hold(w.first());
+          const double v = volume[row];
+#pragma GCC unroll 9
+          for (int patch = 0; patch < Patch::patches; ++patch) {
+            const double across = w.across(patch) * v;
+            shell.sum[0][patch] += w.value() * (across * per_cell);
+            for (int axis = 0; axis < Patch::inner; ++axis) {
+              shell.sum[1 + axis][patch] += w.slope(axis) * across;
+            }
+            for (int axis = Patch::inner; axis < Dim; ++axis) {
+              shell.sum[1 + axis][patch] += w.value() * (w.slope_across(patch, axis) * v);
+            }
+          }
+        }
+      });
+      held.flush();
+      if constexpr (surface) {
+        shell.flush();
       }
     });
+  };
+  with_shapes([&](auto shape_of) {
+    const auto choose = [&](auto affine) {
+      with_surface_ ? sweep(shape_of, affine, std::true_type{})
+                    : sweep(shape_of, affine, std::false_type{});
+    };
+    gradient != nullptr ? choose(std::true_type{}) : choose(std::false_type{});
   });
   for_active_nodes([this](Index begin, Index end) {
     for (Index node = begin; node < end; ++node) {
@@ -193,49 +156,70 @@ void PointGridTransfer<Dim>::project(const Points& points, const CellOrder<Dim>&
   });
 }
 
+namespace {
+
+/// Level and slopes of a nodal array at a point: parts whose lanes add up to the value (first) and
+/// to the gradient.
+template <int Dim, class Shape, bool WithGradient, class Point>
+std::array<Quad, 4> parts_at(const PatchNodes<Dim, Shape>& nodes, const double* nodal,
+                             const Point& w) {
+  using Patch = PatchWeights<Dim, Shape>;
+  Quad level{}, slope[Dim] = {};
+#pragma GCC unroll 9
+  for (int patch = 0; patch < Patch::patches; ++patch) {
+    const Quad here = nodes.read(nodal, w.first(), patch);
+    level += here * w.across(patch);
+    if constexpr (WithGradient) {
+      for (int axis = Patch::inner; axis < Dim; ++axis) {
+        slope[axis] += here * w.slope_across(patch, axis);
+      }
+    }
+  }
+  std::array<Quad, 4> parts{w.value() * level};
+  if constexpr (WithGradient) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      parts[1 + axis] = axis < Patch::inner ? w.slope(axis) * level : w.value() * slope[axis];
+    }
+  }
+  return parts;
+}
+
+}  // namespace
+
 template <int Dim>
 void PointGridTransfer<Dim>::conduct(const Points& points, const CellOrder<Dim>& order) {
   const double* position = points.position().data();
   const double* volume = points.volume().data();
   const Index* body = points.body().data();
   with_shapes([&](auto shape_of) {
-    using PointShape = decltype(shape_of(0));
-    using Rows = RowWeights<Dim, PointShape>;
-    order.for_each_strip([&, shape_of](Index begin, Index end) {
-      HeldRows<Dim, Rows::rows, 1> sum(grid_, {rate.data()});
-      for (Index row = begin; row < end; ++row) {
-        const Rows w(grid_, shape_of(body[row]), position + row * Dim);
-        sum.hold(w.first);
-        // Temperature along the row's lanes, and its slopes across.
-        Quad level{}, slope[Dim] = {};
-        w.for_each_row(grid_, [&](int r, Index offset, double across) {
-          const Quad nodes = load_quad(temperature.data() + w.first + offset);
-          level += nodes * across;
-          for (int axis = 1; axis < Dim; ++axis) {
-            slope[axis] += nodes * w.slope_across(r, axis);
-          }
-        });
-        Quad gradient_parts[4] = {w.along_slope * level, Quad{}, Quad{}, Quad{}};
-        for (int axis = 1; axis < Dim; ++axis) {
-          gradient_parts[axis] = w.along * slope[axis];
-        }
-        const Quad added = lapilli::sums(gradient_parts[0], gradient_parts[1], gradient_parts[2],
-                                         gradient_parts[3]);
+    using Function = std::decay_t<decltype(shape_of(0))>;
+    using Patch = PatchWeights<Dim, Function>;
+    const PatchNodes<Dim, Function> nodes(grid_);
+    order.for_each_strip([&](Index begin, Index end) {
+      HeldPatches<Dim, Function, 1> held(nodes, {rate.data()});
+      for_points(grid_, begin, end, position, shape_of, body, [&](Index row, const auto& w) {
+        held.hold(w.first());
+        const auto parts = parts_at<Dim, Function, true>(nodes, temperature.data(), w);
+        const Quad added = lapilli::sums(parts[0], parts[1], parts[2], parts[3]);
         Vec<Dim> gradient;
         for (int axis = 0; axis < Dim; ++axis) {
-          gradient[axis] = added[axis];
+          gradient[axis] = added[1 + axis];
         }
         const Vec<Dim> flux = volume[row] * (coefficients_.conductivity[body[row]] * gradient);
-        const Quad along_part = w.along_slope * flux[0];
-        w.for_each_row(grid_, [&](int r, Index, double across) {
-          double across_part = 0.0;
-          for (int axis = 1; axis < Dim; ++axis) {
-            across_part += w.slope_across(r, axis) * flux[axis];
+        Quad inner{};
+        for (int axis = 0; axis < Patch::inner; ++axis) {
+          inner += w.slope(axis) * flux[axis];
+        }
+#pragma GCC unroll 9
+        for (int patch = 0; patch < Patch::patches; ++patch) {
+          double outer = 0.0;
+          for (int axis = Patch::inner; axis < Dim; ++axis) {
+            outer += w.slope_across(patch, axis) * flux[axis];
           }
-          sum.held[0][r] -= along_part * across + w.along * across_part;
-        });
-      }
-      sum.flush();
+          held.sum[0][patch] -= inner * w.across(patch) + w.value() * outer;
+        }
+      });
+      held.flush();
     });
   });
 }
@@ -246,38 +230,26 @@ void PointGridTransfer<Dim>::update(const Points& points, const std::vector<doub
   const double* position = points.position().data();
   const Index* body = points.body().data();
   const double keep = 1.0 - beta;
-  with_shapes([&](auto shape_of) {
-    using PointShape = decltype(shape_of(0));
-    using Rows = RowWeights<Dim, PointShape>;
-    parallel_for(points.size(), [&, shape_of](Index row) {
-      const Rows w(grid_, shape_of(body[row]), position + row * Dim);
-      Quad level{}, slope[Dim] = {};
-      w.for_each_row(grid_, [&](int r, Index offset, double across) {
-        const Quad nodes = load_quad(nodal.data() + w.first + offset);
-        level += nodes * across;
-        if (carried_gradient != nullptr) {
-          for (int axis = 1; axis < Dim; ++axis) {
-            slope[axis] += nodes * w.slope_across(r, axis);
+  const auto sweep = [&](auto shape_of, auto with_gradient) {
+    using Function = std::decay_t<decltype(shape_of(0))>;
+    const PatchNodes<Dim, Function> nodes(grid_);
+    parallel_ranges(points.size(), [&](Index begin, Index end) {
+      for_points(grid_, begin, end, position, shape_of, body, [&](Index row, const auto& w) {
+        const auto parts = parts_at<Dim, Function, with_gradient.value>(nodes, nodal.data(), w);
+        const Quad added = lapilli::sums(parts[0], parts[1], parts[2], parts[3]);
+        carried[row] = keep * carried[row] + added[0];
+        if constexpr (with_gradient) {
+          for (int axis = 0; axis < Dim; ++axis) {
+            double& g = carried_gradient[row * Dim + axis];
+            g = keep * g + added[1 + axis];
           }
         }
       });
-      Quad parts[4] = {w.along * level, Quad{}, Quad{}, Quad{}};
-      if (carried_gradient == nullptr) {
-        carried[row] =
-            keep * carried[row] + (parts[0][0] + parts[0][1]) + (parts[0][2] + parts[0][3]);
-        return;
-      }
-      parts[1] = w.along_slope * level;
-      for (int axis = 1; axis < Dim; ++axis) {
-        parts[1 + axis] = w.along * slope[axis];
-      }
-      const Quad added = lapilli::sums(parts[0], parts[1], parts[2], parts[3]);
-      carried[row] = keep * carried[row] + added[0];
-      for (int axis = 0; axis < Dim; ++axis) {
-        double& g = carried_gradient[row * Dim + axis];
-        g = keep * g + added[1 + axis];
-      }
     });
+  };
+  with_shapes([&](auto shape_of) {
+    carried_gradient != nullptr ? sweep(shape_of, std::true_type{})
+                                : sweep(shape_of, std::false_type{});
   });
 }
 

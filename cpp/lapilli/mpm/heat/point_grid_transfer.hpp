@@ -50,6 +50,7 @@ class PointGridTransfer {
   ShapeFunction shape_;
   const HeatCoefficients<Dim>& coefficients_;
   bool with_surface_;
+  std::vector<GimpShape> gimp_;    // by body
   std::vector<double> area_[Dim];  // sum V grad S by axis, while it is summed
   Index first_ = 0, last_ = 0;     // nodes that points can touch
 };

@@ -66,9 +66,9 @@ ThetaSolver<Dim>::ThetaSolver(const NodeRows<Dim>& rows, const StencilMatrix<Dim
       }
     }
   }
-  backend_->direct = choice == HeatSolver::direct ||
-                     (choice == HeatSolver::automatic &&
-                      static_cast<Index>(place_.size()) <= direct_limit<Dim>);
+  backend_->direct =
+      choice == HeatSolver::direct ||
+      (choice == HeatSolver::automatic && static_cast<Index>(place_.size()) <= direct_limit<Dim>);
 }
 
 template <int Dim>
