@@ -161,8 +161,8 @@ namespace {
 /// Level and slopes of a nodal array at a point: parts whose lanes add up to the value (first) and
 /// to the gradient.
 template <int Dim, class Shape, bool WithGradient, class Point>
-std::array<Quad, 4> parts_at(const PatchNodes<Dim, Shape>& nodes, const double* nodal,
-                             const Point& w) {
+[[gnu::always_inline]] inline std::array<Quad, 4> parts_at(const PatchNodes<Dim, Shape>& nodes,
+                                                           const double* nodal, const Point& w) {
   using Patch = PatchWeights<Dim, Shape>;
   Quad level{}, slope[Dim] = {};
 #pragma GCC unroll 9
@@ -201,11 +201,15 @@ void PointGridTransfer<Dim>::conduct(const Points& points, const CellOrder<Dim>&
         held.hold(w.first());
         const auto parts = parts_at<Dim, Function, true>(nodes, temperature.data(), w);
         const Quad added = lapilli::sums(parts[0], parts[1], parts[2], parts[3]);
-        Vec<Dim> gradient;
+        const Mat<Dim>& conductivity = coefficients_.conductivity[body[row]];
+        double flux[Dim];
         for (int axis = 0; axis < Dim; ++axis) {
-          gradient[axis] = added[1 + axis];
+          flux[axis] = 0.0;
+          for (int other = 0; other < Dim; ++other) {
+            flux[axis] += conductivity(axis, other) * added[1 + other];
+          }
+          flux[axis] *= volume[row];
         }
-        const Vec<Dim> flux = volume[row] * (coefficients_.conductivity[body[row]] * gradient);
         Quad inner{};
         for (int axis = 0; axis < Patch::inner; ++axis) {
           inner += w.slope(axis) * flux[axis];
