@@ -128,18 +128,43 @@ StepLimit PrescribedMotion<Dim>::step_limit() const {
 }
 
 template <int Dim>
+template <class Body>
+void PrescribedMotion<Dim>::for_each_run(const Body& body) const {
+  const std::span<const Index> body_of = points_.body();
+  parallel_ranges(points_.size(), [&](Index begin, Index end) {
+    while (begin < end) {
+      Index last = begin + 1;
+      while (last < end && body_of[last] == body_of[begin]) {
+        ++last;
+      }
+      body(body_of[begin], begin, last);
+      begin = last;
+    }
+  });
+}
+
+template <int Dim>
 StepReport PrescribedMotion<Dim>::advance(const Step& step) {
   const auto before = maps_at<Dim>(motions_, step.time);
   const auto after = maps_at<Dim>(motions_, step.time + step.size);
-  const auto place = [this](const std::vector<PlaceMap<Dim>>& maps, Index row) {
-    const Vec<Dim> start = Eigen::Map<const Vec<Dim>>(start_.data() + row * Dim);
-    return std::visit([&](const auto& map) { return map(start); }, maps[points_.body()[row]]);
+  const auto start = [this](Index row) {
+    return Vec<Dim>(Eigen::Map<const Vec<Dim>>(start_.data() + row * Dim));
   };
-  parallel_for(points_.size(), [&](Index row) {
-    Eigen::Map<Vec<Dim>>(points_.position().data() + row * Dim) = place(after, row).position;
+  for_each_run([&](Index body, Index begin, Index end) {
+    std::visit(
+        [&](const auto& map) {
+          for (Index row = begin; row < end; ++row) {
+            Eigen::Map<Vec<Dim>>(points_.position().data() + row * Dim) = map(start(row)).position;
+          }
+        },
+        after[body]);
   });
   points_.moved<Dim>([&](Index row) -> Mat<Dim> {
-    return place(after, row).deformation * place(before, row).deformation.inverse();
+    const auto at = [&](const std::vector<PlaceMap<Dim>>& maps) {
+      return std::visit([&](const auto& map) { return map(start(row)).deformation; },
+                        maps[points_.body()[row]]);
+    };
+    return at(after) * at(before).inverse();
   });
   return {step.size, 0, 0.0};
 }

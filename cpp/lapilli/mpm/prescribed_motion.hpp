@@ -80,6 +80,10 @@ class PrescribedMotion final : public Physics {
   void load(const Archive& archive) override;
 
  private:
+  /// Call body(number, begin, end) for runs of rows of one body.
+  template <class Body>
+  void for_each_run(const Body& body) const;
+
   Points& points_;
   std::vector<std::optional<Motion>> motions_;
   PointArray start_;  // m, places at time zero
