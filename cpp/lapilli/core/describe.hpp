@@ -42,6 +42,12 @@ struct Key {
     key.infinity_allowed = true;
     return key;
   }
+  /// A text that names a file, from the folder of the scene file where it is relative.
+  constexpr Key file() const {
+    Key key = *this;
+    key.names_file = true;
+    return key;
+  }
   /// A list that may also be written as its one element.
   constexpr Key one_or_many() const {
     Key key = *this;
@@ -66,6 +72,7 @@ struct Key {
   bool open = false;
   bool is_required = false;
   bool infinity_allowed = false;
+  bool names_file = false;
   bool single_allowed = false;
   int shortest = 0;
   int longest = std::numeric_limits<int>::max();

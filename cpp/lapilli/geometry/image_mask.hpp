@@ -30,7 +30,7 @@ struct ImageMask {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("file").text("PGM or PPM image"), self.file);
+    visit(Key("file").file().text("PGM or PPM image"), self.file);
     visit(Key("values").text("brightness 0 to 1, rows from the top, where no file is given"),
           self.values);
     visit(Key("pixel").unit("m").positive().required().text("side of a pixel"), self.pixel);

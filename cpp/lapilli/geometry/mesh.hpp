@@ -25,7 +25,7 @@ struct Mesh {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("file").text("STL file of a closed surface, binary or text"), self.file);
+    visit(Key("file").file().text("STL file of a closed surface, binary or text"), self.file);
     visit(Key("scale").unit("m").positive().text("length of one unit of the file"), self.scale);
     visit(Key("vertices").text("corners, where no file is given"), self.vertices);
     visit(Key("triangles").text("rows of three vertices, counted from 0"), self.triangles);

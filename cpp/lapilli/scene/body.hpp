@@ -48,7 +48,7 @@ struct Body {
   static void describe(Self& self, Visitor& visit) {
     visit(Key("name").text("name in messages and results"), self.name);
     visit(Key("shape").text("shape filled with points"), self.shape);
-    visit(Key("points_file").text("text file of points: coordinates and volume in each row"),
+    visit(Key("points_file").file().text("text file of points: coordinates and volume in each row"),
           self.points_file);
     visit(Key("points").text("arrays of points, from a program only"), self.points);
     visit(Key("points_per_cell")

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lapilli/geometry/checks.hpp"
+#include "lapilli/geometry/sources.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/scene_file.hpp"
 
@@ -58,12 +59,21 @@ FilledPoints given_points(const Scene& scene, const Body& body) {
   return points;
 }
 
+FilledPoints points_of_file(const Scene& scene, const Body& body) {
+  const int dimension = dimension_of(scene);
+  // Files without a column of volumes hold points of a regular fill.
+  const double spacing = scene.grid.cell / points_along_axis(body, dimension);
+  return read_points(body.points_file, dimension, std::pow(spacing, dimension));
+}
+
 FilledPoints points_of(const Scene& scene, const Body& body) {
-  const int sources = body.shape.has_value() + body.points.has_value();
-  require(sources == 1, sources == 0 ? "has no points: give a shape"
-                                     : "has several sources of "
-                                       "points: give one");
-  return body.shape ? filled_shape(scene, body) : given_points(scene, body);
+  const bool has_file = !body.points_file.empty();
+  const int sources = body.shape.has_value() + body.points.has_value() + has_file;
+  require(sources > 0, "has no points: give a shape, points_file or points");
+  require(sources == 1, "has several sources of points: give shape, points_file or points");
+  return body.shape ? filled_shape(scene, body)
+         : has_file ? points_of_file(scene, body)
+                    : given_points(scene, body);
 }
 
 bool is_placed(const Body& body) { return body.rotation != 0.0 || !body.translation.empty(); }

@@ -6,6 +6,7 @@
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/place_errors.hpp"
+#include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/validate.hpp"
 
 namespace lapilli {
@@ -110,7 +111,8 @@ std::unique_ptr<Simulation> build_in(const Scene& scene) {
 
 }  // namespace
 
-std::unique_ptr<Simulation> build(const Scene& scene) {
+std::unique_ptr<Simulation> build(const Scene& as_written) {
+  const Scene scene = with_resolved_files(as_written);
   validate(scene);
   switch (dimension_of(scene)) {
     case 1:

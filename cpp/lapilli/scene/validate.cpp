@@ -6,6 +6,7 @@
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/member_types.hpp"
 #include "lapilli/scene/place_errors.hpp"
+#include "lapilli/scene/resolve_files.hpp"
 
 namespace lapilli {
 namespace {
@@ -33,6 +34,8 @@ class RangeCheck {
       if (!member.empty()) {
         check(*member, key, path);
       }
+    } else if constexpr (std::is_same_v<T, Shape>) {
+      at_place(scene_, path, [&] { lapilli::check(member, dimension_of(scene_)); });
     } else if constexpr (Kinded<T>) {
       std::visit([&](const auto& alternative) { check(alternative, key, path); },
                  variant_of(member));
@@ -149,7 +152,8 @@ void check_time(const Scene& scene) {
 
 }  // namespace
 
-void validate(const Scene& scene) {
+void validate(const Scene& as_written) {
+  const Scene scene = with_resolved_files(as_written);
   RangeCheck(scene).check(scene, Key(""), "");
   check_grid(scene);
   check_time(scene);

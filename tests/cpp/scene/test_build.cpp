@@ -5,6 +5,7 @@
 #include "lapilli/scene/check.hpp"
 #include "lapilli/scene/run_scene.hpp"
 #include "lapilli/scene/scene_file.hpp"
+#include "output/scratch_folder.hpp"
 #include "scene/example_scenes.hpp"
 
 using namespace lapilli;
@@ -79,4 +80,34 @@ TEST_CASE("a run is known by what shapes its state, not by what it writes") {
   finer.grid.cell = 0.2;
   CHECK(run_options(scene).fingerprint == run_options(longer).fingerprint);
   CHECK(run_options(scene).fingerprint != run_options(finer).fingerprint);
+}
+
+TEST_CASE("files of a scene are looked for beside it") {
+  const testing::ScratchFolder folder;
+  testing::put_bytes(folder / "points.csv", "# x y volume\n0.1, 0.1, 0.04\n0.3, 0.1, 0.03\n");
+  const std::string with_file =
+      replaced(ring_scene, "shape = {kind = \"annulus\", inner = 1, outer = 5}",
+               "points_file = \"points.csv\"");
+  testing::put_bytes(folder / "scene.toml", with_file);
+  const auto simulation = build(load_scene(folder / "scene.toml"));
+  REQUIRE(simulation->points().size() == 2);
+  CHECK(simulation->points().volume()[1] == 0.03);
+
+  testing::put_bytes(folder / "scene.toml", replaced(with_file, "points.csv", "none.csv"));
+  const Scene lost = load_scene(folder / "scene.toml");
+  CHECK_THROWS_WITH(build(lost), Contains("scene.toml:7:") && Contains("none.csv"));
+  CHECK_THAT(to_toml(lost), Contains("points_file = \"none.csv\""));
+}
+
+TEST_CASE("an image of a scene file is found from any folder") {
+  const testing::ScratchFolder folder;
+  testing::put_bytes(folder / "square.pgm", "P2 2 2 1\n1 0\n1 1\n");
+  testing::put_bytes(
+      folder / "scene.toml",
+      replaced(ring_scene, "shape = {kind = \"annulus\", inner = 1, outer = 5}",
+               "shape = {kind = \"translated\", by = [0, 0], shape = {kind = \"image\", file = "
+               "\"square.pgm\", pixel = 0.8}}"));
+  const auto simulation = build(load_scene(folder / "scene.toml"));
+  // Three pixels of 2 x 2 cells with 4 points each.
+  CHECK(simulation->points().size() == 48);
 }

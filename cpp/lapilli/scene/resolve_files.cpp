@@ -1,0 +1,64 @@
+#include "lapilli/scene/resolve_files.hpp"
+
+#include <filesystem>
+
+#include "lapilli/scene/member_types.hpp"
+#include "lapilli/scene/scene_file.hpp"
+
+namespace lapilli {
+namespace {
+
+// Whether a type may hold the name of a file somewhere.
+template <class T>
+inline constexpr bool holds_texts =
+    std::is_same_v<T, std::string> || Kinded<T> || Indirect<T> || Described<T>;
+template <class T>
+inline constexpr bool holds_texts<std::optional<T>> = holds_texts<T>;
+template <class T>
+inline constexpr bool holds_texts<std::vector<T>> = holds_texts<T>;
+
+struct Resolver {
+  std::filesystem::path folder;
+
+  template <class T>
+  void operator()(const Key& key, T& member) {
+    if constexpr (!holds_texts<T>) {
+      return;
+    } else if constexpr (std::is_same_v<T, std::string>) {
+      if (key.names_file && !member.empty()) {
+        member = (folder / member).string();  // an absolute name stays as it is
+      }
+    } else if constexpr (is_optional<T>) {
+      if (member) {
+        (*this)(key, *member);
+      }
+    } else if constexpr (is_vector<T>) {
+      for (auto& element : member) {
+        (*this)(key, element);
+      }
+    } else if constexpr (Indirect<T>) {
+      if (!member.empty()) {
+        Held<T> held = *member;
+        (*this)(key, held);
+        member = T(std::move(held));
+      }
+    } else if constexpr (Kinded<T>) {
+      std::visit([&](auto& alternative) { (*this)(key, alternative); }, variant_of(member));
+    } else {
+      T::describe(member, *this);
+    }
+  }
+};
+
+}  // namespace
+
+Scene with_resolved_files(Scene scene) {
+  const std::string folder = directory_of(scene);
+  if (!folder.empty()) {
+    Resolver resolver{folder};
+    Scene::describe(scene, resolver);
+  }
+  return scene;
+}
+
+}  // namespace lapilli
