@@ -3,15 +3,27 @@
 namespace lapilli::python {
 namespace {
 
-std::string text_of(const py::object& of, const std::string& name, const py::dict& defaults) {
-  std::string members;
-  for (const auto& [key, value] : py::cast<py::dict>(of.attr("__dict__"))) {
-    if (!defaults.contains(key) || !value.equal(defaults[key])) {
-      members += message(members.empty() ? "" : ", ", std::string(py::str(key)), "=",
-                         std::string(py::repr(value)));
+py::object attribute(const py::handle& of, const std::string& name) {
+  return of.attr("__dict__")[py::str(name)];
+}
+
+std::string text_of(const py::object& of, const std::string& name,
+                    const std::vector<std::string>& members, const py::dict& defaults) {
+  std::string text;
+  for (const std::string& member : members) {
+    const py::object value = attribute(of, member);
+    if (!defaults.contains(member) || !value.equal(defaults[py::str(member)])) {
+      text += message(text.empty() ? "" : ", ", member, "=", std::string(py::repr(value)));
     }
   }
-  return name + "(" + members + ")";
+  return name + "(" + text + ")";
+}
+
+bool equal(const py::object& of, const py::object& other, const std::vector<std::string>& members) {
+  return py::type::of(of).is(py::type::of(other)) &&
+         std::all_of(members.begin(), members.end(), [&](const std::string& member) {
+           return attribute(of, member).equal(attribute(other, member));
+         });
 }
 
 }  // namespace
@@ -35,13 +47,15 @@ void bind_object_protocol(const py::object& bound, const std::string& name,
       },
       ", name: str, value: typing.Any) -> None");
   define(
-      "__repr__", [name, defaults](const py::object& of) { return text_of(of, name, defaults); },
+      "__repr__",
+      [name, members, defaults](const py::object& of) {
+        return text_of(of, name, members, defaults);
+      },
       ") -> str");
   define(
       "__eq__",
-      [](const py::object& of, const py::object& other) {
-        return py::type::of(of).is(py::type::of(other)) &&
-               of.attr("__dict__").equal(other.attr("__dict__"));
+      [members](const py::object& of, const py::object& other) {
+        return equal(of, other, members);
       },
       ", other: object) -> bool");
   bound.attr("__hash__") = py::none();

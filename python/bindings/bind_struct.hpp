@@ -8,12 +8,19 @@
 
 namespace lapilli::python {
 
+/// The base class of a family of structs ("any shape"); specialised where there is one.
+struct NoFamily {};
+template <class T>
+struct FamilyOf {
+  using type = NoFamily;
+};
+
 /// The C++ side of a Python object that stands for a described struct. Its members live in the
 /// object's `__dict__`, as Python values checked by `Convert`: lists can be appended to, nested
 /// objects stay shared, and nothing dangles. `Convert<T>::load` makes the C++ struct when it is
 /// needed.
 template <class T>
-struct Record {};
+struct Record : FamilyOf<T>::type {};
 
 /// What every such class shares: an attribute must be a member, the repr shows what differs from
 /// the defaults, objects compare by their members and can be copied and pickled.
@@ -34,6 +41,13 @@ std::vector<std::string> key_names() {
   return names;
 }
 
+/// What an object carries besides its described members; most carry nothing.
+template <class T>
+struct Extras {
+  static void load(const py::dict&, T&) {}
+  static void show(const T&, py::dict&) {}
+};
+
 template <class T>
 std::string class_name() {
   return std::string(py::str(py::type::of<Record<T>>().attr("__name__")));
@@ -48,23 +62,25 @@ struct Convert<T> {
     if (!accepts(given)) {
       where.refuse("a " + type_name(), given);
     }
-    read(where.owner.empty() ? where.key.name : where.path(), given, member);
+    read(where.path(), given, member);
   }
   /// Every member from the object's attributes; `owner` names it in messages.
   static void read(const std::string& owner, py::handle given, T& member) {
     const auto attributes = py::cast<py::dict>(given.attr("__dict__"));
+    Extras<T>::load(attributes, member);
     auto visit = [&]<class Member>(const Key& key, Member& target) {
       Convert<Member>::load(Where{key, owner}, attributes[key.name], target);
     };
     T::describe(member, visit);
   }
-  static py::object show(const T& member) {
+  static py::object show(const Key&, const T& member) {
     py::object object = py::cast(Record<T>());
     auto attributes = py::cast<py::dict>(object.attr("__dict__"));
     auto visit = [&]<class Member>(const Key& key, const Member& value) {
-      attributes[key.name] = Convert<Member>::show(value);
+      attributes[key.name] = Convert<Member>::show(key, value);
     };
     T::describe(member, visit);
+    Extras<T>::show(member, attributes);
     return object;
   }
 };
@@ -76,7 +92,7 @@ py::object checked(const Where& where, py::handle given) {
   Member value{};
   Convert<Member>::load(where, given, value);
   if constexpr (!Convert<Member>::keeps_object) {
-    return Convert<Member>::show(value);
+    return Convert<Member>::show(where.key, value);
   } else {
     const bool sequence = PyList_Check(given.ptr()) || PyTuple_Check(given.ptr());
     return sequence ? py::object(py::list(py::reinterpret_borrow<py::object>(given)))
@@ -93,7 +109,7 @@ std::string parameter_text(const Key& key, const Member& value) {
   }
   line += key.is_required
               ? std::string(", required")
-              : message(", default ", std::string(py::repr(Convert<Member>::show(value))));
+              : message(", default ", std::string(py::repr(Convert<Member>::show(key, value))));
   const std::string range = allowed_range(key);
   return message(line, "\n    ", key.meaning, range.empty() ? "" : "; ", range, "\n");
 }
@@ -120,16 +136,25 @@ py::dict members_from(const std::string& owner, const py::args& positional,
     } else if (key.is_required) {
       throw py::type_error(message(owner, " needs ", key.name, ": ", key.meaning));
     } else {
-      members[key.name] = Convert<Member>::show(value);
+      members[key.name] = Convert<Member>::show(key, value);
     }
   });
   return members;
 }
 
+template <class T>
+auto record_class(py::module_& module, const char* name) {
+  if constexpr (std::is_base_of_v<NoFamily, Record<T>>) {
+    return py::class_<Record<T>>(module, name, py::dynamic_attr());
+  } else {
+    return py::class_<Record<T>, typename FamilyOf<T>::type>(module, name, py::dynamic_attr());
+  }
+}
+
 /// Bind T's members as keyword-only arguments and checked properties.
 template <class T>
-void bind_struct(py::module_& module, const char* name, const std::string& summary) {
-  py::class_<Record<T>> bound(module, name, py::dynamic_attr());
+auto bind_struct(py::module_& module, const char* name, const std::string& summary) {
+  auto bound = record_class<T>(module, name);
   const std::string owner = name;
   const std::string self = "self: lapilli._core." + owner;
   std::string signature = "__init__(" + self + ", *";
@@ -137,11 +162,12 @@ void bind_struct(py::module_& module, const char* name, const std::string& summa
   py::dict defaults;
 
   each_member<T>([&]<class Member>(const Key& key, Member& value) {
-    const std::string type = Convert<Member>::type_name();
+    const std::string type =
+        message(Convert<Member>::type_name(), *key.absent_word == '\0' ? "" : " | str");
     signature += message(", ", key.name, ": ", type, key.is_required ? "" : " = ...");
     text += parameter_text(key, value);
     if (!key.is_required) {
-      defaults[key.name] = Convert<Member>::show(value);
+      defaults[key.name] = Convert<Member>::show(key, value);
     }
     const std::string get_text = message(key.name, "(", self, ") -> ", type);
     const std::string set_text = message(key.name, "(", self, ", value: ", type, ") -> None");
@@ -182,6 +208,7 @@ void bind_struct(py::module_& module, const char* name, const std::string& summa
       py::detail::is_new_style_constructor(),
       ("__setstate__(" + self + ", members: dict[str, typing.Any]) -> None").c_str());
   bind_object_protocol(bound, owner, key_names<T>(), defaults);
+  return bound;
 }
 
 }  // namespace lapilli::python

@@ -7,6 +7,10 @@ namespace lapilli::python {
 // One function per library folder, in the order in which the module calls them: a class is bound
 // before those that hold it.
 void bind_core(pybind11::module_& module);
+void bind_geometry(pybind11::module_& module);
 void bind_materials(pybind11::module_& module);
+void bind_mpm(pybind11::module_& module);
+void bind_points(pybind11::module_& module);
+void bind_scene(pybind11::module_& module);
 
 }  // namespace lapilli::python

@@ -13,6 +13,7 @@
 #include "lapilli/core/allowed.hpp"
 #include "lapilli/core/describe.hpp"
 #include "lapilli/core/vector.hpp"
+#include "lapilli/scene/member_types.hpp"
 
 namespace lapilli::python {
 
@@ -23,10 +24,15 @@ struct Where {
   Key key;
   std::string owner;  // "Grid", or "bodies[0]"
 
-  std::string path() const { return owner.empty() ? key.name : owner + "." + key.name; }
+  std::string path() const { return joined(*key.name == '\0' ? "" : "."); }
   [[noreturn]] void refuse(const std::string& expected, py::handle given) const {
-    throw py::type_error(message(owner, owner.empty() ? "" : ": ", key.name, " must be ", expected,
+    throw py::type_error(message(joined(*key.name == '\0' ? "" : ": "), " must be ", expected,
                                  ", got ", std::string(py::repr(given)).substr(0, 80)));
+  }
+
+ private:
+  std::string joined(const char* between) const {
+    return owner.empty() ? key.name : owner + between + key.name;
   }
 };
 
@@ -34,15 +40,6 @@ struct Where {
 /// `keeps_object`: an attribute holds the object the user gave, so that it stays shared.
 template <class Member>
 struct Convert;
-
-struct AnyVisitor {
-  template <class Member>
-  void operator()(const Key&, Member&) const {}
-};
-template <class T>
-concept Described = requires(T& object, AnyVisitor& visit) {
-  T::describe(object, visit);
-};
 
 template <>
 struct Convert<double> {
@@ -59,7 +56,7 @@ struct Convert<double> {
     }
     check_range(where.key, member, where.owner);
   }
-  static py::object show(double member) { return py::float_(member); }
+  static py::object show(const Key&, double member) { return py::float_(member); }
 };
 
 template <class Integer>
@@ -82,7 +79,7 @@ requires(std::is_integral_v<Integer> && !std::is_same_v<Integer, bool>) struct C
     }
     check_range(where.key, static_cast<double>(value), where.owner);
   }
-  static py::object show(Integer member) { return py::int_(member); }
+  static py::object show(const Key&, Integer member) { return py::int_(member); }
 };
 
 template <>
@@ -95,7 +92,7 @@ struct Convert<bool> {
     }
     member = given.ptr() == Py_True;
   }
-  static py::object show(bool member) { return py::bool_(member); }
+  static py::object show(const Key&, bool member) { return py::bool_(member); }
 };
 
 template <>
@@ -110,7 +107,7 @@ struct Convert<std::string> {
       where.refuse("a string", given);
     }
   }
-  static py::object show(const std::string& member) { return py::str(member); }
+  static py::object show(const Key&, const std::string& member) { return py::str(member); }
 };
 
 /// Enumerations are strings in Python, spelled as in a scene file.
@@ -140,21 +137,28 @@ struct Convert<Enum> {
     }
     throw py::value_error(unknown_name(where.path(), text, names));
   }
-  static py::object show(Enum member) { return py::str(name_of(member)); }
+  static py::object show(const Key&, Enum member) { return py::str(name_of(member)); }
 };
 
+/// None, or the key's word for it ("auto"), where it is not set.
 template <class Member>
 struct Convert<std::optional<Member>> {
   static constexpr bool keeps_object = Convert<Member>::keeps_object;
   static std::string type_name() { return Convert<Member>::type_name() + " | None"; }
   static void load(const Where& where, py::handle given, std::optional<Member>& member) {
     member.reset();
-    if (!given.is_none()) {
+    const std::string word = where.key.absent_word;
+    const bool absent = given.is_none() || (!word.empty() && PyUnicode_Check(given.ptr()) &&
+                                            std::string(py::str(given)) == word);
+    if (!absent) {
       Convert<Member>::load(where, given, member.emplace());
     }
   }
-  static py::object show(const std::optional<Member>& member) {
-    return member ? Convert<Member>::show(*member) : py::none();
+  static py::object show(const Key& key, const std::optional<Member>& member) {
+    if (member) {
+      return Convert<Member>::show(key, *member);
+    }
+    return *key.absent_word == '\0' ? py::object(py::none()) : py::object(py::str(key.absent_word));
   }
 };
 
@@ -181,18 +185,29 @@ struct Convert<std::vector<Member>> {
   }
   static void load(const Where& where, py::handle given, std::vector<Member>& member) {
     member.clear();
-    for (const py::object& element : elements(where, given, "a list")) {
+    if (where.key.single_allowed && !PyList_Check(given.ptr()) && !PyTuple_Check(given.ptr())) {
+      Convert<Member>::load(where, given, member.emplace_back());
+      return;
+    }
+    const auto all = elements(where, given, "a list");
+    check_length(where.key, static_cast<Index>(all.size()), where.owner);
+    for (const py::object& element : all) {
       Where inside = where;
+      inside.key = inside.key.length(0, std::numeric_limits<int>::max());
       if constexpr (keeps_object) {
+        inside.key.name = "";
         inside.owner = message(where.path(), "[", member.size(), "]");
       }
       Convert<Member>::load(inside, element, member.emplace_back());
     }
   }
-  static py::object show(const std::vector<Member>& member) {
+  static py::object show(const Key& key, const std::vector<Member>& member) {
+    if (key.single_allowed && member.size() == 1) {
+      return Convert<Member>::show(key, member.front());
+    }
     py::list all;
     for (const Member& element : member) {
-      all.append(Convert<Member>::show(element));
+      all.append(Convert<Member>::show(key, element));
     }
     return keeps_object ? py::object(all) : py::object(py::tuple(all));
   }
@@ -212,7 +227,7 @@ struct Convert<std::array<double, Size>> {
       Convert<double>::load(where, all[k], member[k]);
     }
   }
-  static py::object show(const std::array<double, Size>& member) {
+  static py::object show(const Key&, const std::array<double, Size>& member) {
     py::tuple all(Size);
     for (std::size_t k = 0; k < Size; ++k) {
       all[k] = member[k];
@@ -221,25 +236,18 @@ struct Convert<std::array<double, Size>> {
   }
 };
 
-/// One, two or three coordinates; those left out are zero.
-template <>
-struct Convert<Vec3> {
-  static constexpr bool keeps_object = false;
-  static std::string type_name() { return "collections.abc.Sequence[float]"; }
-  static void load(const Where& where, py::handle given, Vec3& member) {
-    const auto all = elements(where, given, "one to three coordinates");
-    if (all.empty() || all.size() > 3) {
-      where.refuse("one to three coordinates", given);
+/// Reads the one of a variant's alternatives that `given` is an object of; false when it is none.
+template <class... Members>
+bool load_alternative(const Where& where, py::handle given, std::variant<Members...>& member) {
+  const auto load_one = [&]<class Member>(std::type_identity<Member>) {
+    if (!Convert<Member>::accepts(given)) {
+      return false;
     }
-    member.setZero();
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      Convert<double>::load(where, all[k], member[static_cast<Eigen::Index>(k)]);
-    }
-  }
-  static py::object show(const Vec3& member) {
-    return py::make_tuple(member[0], member[1], member[2]);
-  }
-};
+    Convert<Member>::load(where, given, member.template emplace<Member>());
+    return true;
+  };
+  return (load_one(std::type_identity<Members>()) || ...);
+}
 
 template <class... Members>
 struct Convert<std::variant<Members...>> {
@@ -250,23 +258,14 @@ struct Convert<std::variant<Members...>> {
     return names;
   }
   static void load(const Where& where, py::handle given, std::variant<Members...>& member) {
-    if (!(load_one<Members>(where, given, member) || ...)) {
-      where.refuse("one of " + type_name(), given);
+    if (!load_alternative(where, given, member)) {
+      where.refuse(type_name(), given);
     }
   }
-  static py::object show(const std::variant<Members...>& member) {
+  static py::object show(const Key& key, const std::variant<Members...>& member) {
     return std::visit(
-        [](const auto& held) { return Convert<std::decay_t<decltype(held)>>::show(held); }, member);
-  }
-
- private:
-  template <class Member>
-  static bool load_one(const Where& where, py::handle given, std::variant<Members...>& member) {
-    if (!Convert<Member>::accepts(given)) {
-      return false;
-    }
-    Convert<Member>::load(where, given, member.template emplace<Member>());
-    return true;
+        [&](const auto& held) { return Convert<std::decay_t<decltype(held)>>::show(key, held); },
+        member);
   }
 };
 

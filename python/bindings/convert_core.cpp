@@ -8,48 +8,48 @@ namespace {
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// The callable and its last release happen with the GIL held, whichever thread lets go of it.
-std::shared_ptr<py::object> shared_callable(const py::object& callable) {
-  return {new py::object(callable), [](py::object* held) {
-            const py::gil_scoped_acquire gil;
-            delete held;
-          }};
-}
+/// A Python callable as an ArrayFunction: called, and let go of, with the GIL held, whichever
+/// thread does so.
+class PythonFunction {
+ public:
+  explicit PythonFunction(const py::object& callable)
+      : callable_(new py::object(callable), [](py::object* held) {
+          const py::gil_scoped_acquire gil;
+          delete held;
+        }) {}
 
-void call(const py::object& callable, std::span<const Vec3> position, std::span<const double> state,
-          double time, std::span<double> values) {
-  const auto rows = static_cast<py::ssize_t>(position.size());
-  Numbers places({rows, py::ssize_t{3}});
-  for (py::ssize_t row = 0; row < rows; ++row) {
-    std::copy_n(position[static_cast<std::size_t>(row)].data(), 3, places.mutable_data(row, 0));
+  const py::object& callable() const { return *callable_; }
+
+  void operator()(std::span<const Vec3> position, std::span<const double> state, double time,
+                  std::span<double> values) const {
+    const py::gil_scoped_acquire gil;
+    const auto rows = static_cast<py::ssize_t>(position.size());
+    Numbers places({rows, py::ssize_t{3}});
+    for (py::ssize_t row = 0; row < rows; ++row) {
+      std::copy_n(position[static_cast<std::size_t>(row)].data(), 3, places.mutable_data(row, 0));
+    }
+    const Numbers states(static_cast<py::ssize_t>(state.size()), state.data());
+    const auto answer = Numbers::ensure((*callable_)(places, states, time));
+    if (!answer) {
+      throw py::error_already_set();
+    }
+    if (answer.ndim() == 0) {
+      std::fill(values.begin(), values.end(), *answer.data());
+    } else if (answer.ndim() == 1 && answer.shape(0) == rows) {
+      std::copy_n(answer.data(), rows, values.data());
+    } else {
+      throw RunError(message("the function ", std::string(py::repr(*callable_)), " was called for ",
+                             rows, " places and answered an array of shape ",
+                             std::string(py::str(answer.attr("shape"))),
+                             "; one number, or one a place, is allowed"));
+    }
   }
-  const Numbers states(static_cast<py::ssize_t>(state.size()), state.data());
-  const auto answer = Numbers::ensure(callable(places, states, time));
-  if (!answer) {
-    throw py::error_already_set();
-  }
-  if (answer.ndim() == 0) {
-    std::fill(values.begin(), values.end(), *answer.data());
-  } else if (answer.ndim() == 1 && answer.shape(0) == rows) {
-    std::copy_n(answer.data(), rows, values.data());
-  } else {
-    throw RunError(message("the function ", std::string(py::repr(callable)), " was called for ",
-                           rows, " places and answered an array of shape ",
-                           std::string(py::str(answer.attr("shape"))),
-                           "; one number, or one a place, is allowed"));
-  }
-}
+
+ private:
+  std::shared_ptr<py::object> callable_;
+};
 
 }  // namespace
-
-ArrayFunction array_function(const py::object& callable) {
-  return [held = shared_callable(callable)](std::span<const Vec3> position,
-                                            std::span<const double> state, double time,
-                                            std::span<double> values) {
-    const py::gil_scoped_acquire gil;
-    call(*held, position, state, time, values);
-  };
-}
 
 void check_table(const Where& where, const Table& table) {
   const auto say = [&](const auto&... parts) {
@@ -73,7 +73,7 @@ void Convert<Value>::load(const Where& where, py::handle given, Value& member) {
   if (py::isinstance<Table>(given)) {
     member = given.cast<Table>();
   } else if (PyCallable_Check(given.ptr()) != 0) {
-    member = array_function(py::reinterpret_borrow<py::object>(given));
+    member = ArrayFunction(PythonFunction(py::reinterpret_borrow<py::object>(given)));
     return;
   } else if ((PyTuple_Check(given.ptr()) || PyList_Check(given.ptr())) && py::len(given) == 2) {
     Table table;
@@ -95,14 +95,15 @@ void Convert<Value>::load(const Where& where, py::handle given, Value& member) {
   }
 }
 
-py::object Convert<Value>::show(const Value& member) {
+py::object Convert<Value>::show(const Key&, const Value& member) {
   if (const auto* number = std::get_if<double>(&member.form())) {
     return py::float_(*number);
   }
   if (const auto* table = std::get_if<Table>(&member.form())) {
     return py::cast(*table);
   }
-  return py::none();
+  const auto* function = std::get<ArrayFunction>(member.form()).target<PythonFunction>();
+  return function ? function->callable() : py::none();
 }
 
 void Convert<SymmetricTensor>::load(const Where& where, py::handle given, SymmetricTensor& member) {
@@ -116,9 +117,9 @@ void Convert<SymmetricTensor>::load(const Where& where, py::handle given, Symmet
   }
 }
 
-py::object Convert<SymmetricTensor>::show(const SymmetricTensor& member) {
+py::object Convert<SymmetricTensor>::show(const Key& key, const SymmetricTensor& member) {
   return member.is_scalar() ? py::float_(member[0])
-                            : Convert<std::array<double, 6>>::show(member.components);
+                            : Convert<std::array<double, 6>>::show(key, member.components);
 }
 
 }  // namespace lapilli::python

@@ -6,24 +6,20 @@
 
 namespace lapilli::python {
 
-/// A Python callable as a function over whole arrays. It is called with the GIL held, with
-/// positions (rows, 3), the state (rows,) and the time, and answers one number or one a row;
-/// anything else is a RunError. Copies share the callable.
-ArrayFunction array_function(const py::object& callable);
-
 /// Throws std::invalid_argument unless times increase and every value is in the key's range.
 void check_table(const Where& where, const Table& table);
 
-/// A number, a lapilli.Table, a pair (times, values), or a callable.
+/// A number, a lapilli.Table, a pair (times, values), or a callable over whole arrays: it is given
+/// positions (rows, 3), the state (rows,) and the time, and answers one number or one a row.
 template <>
 struct Convert<Value> {
-  static constexpr bool keeps_object = true;
+  static constexpr bool keeps_object = false;
   static std::string type_name() {
     return "float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]]"
            " | collections.abc.Callable[..., typing.Any]";
   }
   static void load(const Where& where, py::handle given, Value& member);
-  static py::object show(const Value& member);
+  static py::object show(const Key& key, const Value& member);
 };
 
 /// A number (that multiple of the identity) or the components xx, yy, zz, xy, yz, xz.
@@ -32,7 +28,7 @@ struct Convert<SymmetricTensor> {
   static constexpr bool keeps_object = false;
   static std::string type_name() { return "float | collections.abc.Sequence[float]"; }
   static void load(const Where& where, py::handle given, SymmetricTensor& member);
-  static py::object show(const SymmetricTensor& member);
+  static py::object show(const Key& key, const SymmetricTensor& member);
 };
 
 }  // namespace lapilli::python

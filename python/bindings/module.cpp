@@ -9,5 +9,9 @@ PYBIND11_MODULE(_core, module) {
 
   using namespace lapilli::python;
   bind_core(module);
+  bind_geometry(module);
   bind_materials(module);
+  bind_mpm(module);
+  bind_points(module);
+  bind_scene(module);
 }

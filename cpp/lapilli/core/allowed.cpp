@@ -53,6 +53,22 @@ void check_range(const Key& key, double value, std::string_view where) {
   }
 }
 
+std::string allowed_length(const Key& key) {
+  std::string words = message(key.shortest);
+  if (key.longest == std::numeric_limits<int>::max()) {
+    words = message("at least ", key.shortest);
+  } else if (key.longest != key.shortest) {
+    words = message(key.shortest, " to ", key.longest);
+  }
+  const bool one = words == "1" || words == "at least 1";
+  return words + (one ? " entry" : " entries");
+}
+
+void check_length(const Key& key, Index count, std::string_view where) {
+  require(count >= key.shortest && count <= key.longest, where, where.empty() ? "" : ": ", key.name,
+          " must hold ", allowed_length(key), ", got ", count);
+}
+
 std::string nearest_name(std::string_view given, const std::vector<std::string>& candidates) {
   std::string nearest;
   std::size_t least = std::max<std::size_t>(2, given.size() / 3) + 1;

@@ -6,6 +6,7 @@
 
 #include "lapilli/core/describe.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/core/vector.hpp"
 
 namespace lapilli {
 
@@ -16,6 +17,12 @@ std::string allowed_range(const Key& key);
 /// Throws std::invalid_argument unless `value` is finite and in the key's range. The message reads
 /// "<where>: <key> must be above 0 (m), got -1"; every reader of a scene says it so.
 void check_range(const Key& key, double value, std::string_view where);
+
+/// How many entries a list of this key holds, in words: "1 to 3 entries", "at least 1 entry".
+std::string allowed_length(const Key& key);
+
+/// Throws std::invalid_argument unless a list of `count` entries is allowed.
+void check_length(const Key& key, Index count, std::string_view where);
 
 /// The candidate that a user most likely meant by `given`; empty when none is near.
 std::string nearest_name(std::string_view given, const std::vector<std::string>& candidates);

@@ -182,15 +182,7 @@ void TreeReader::check_length(const Tree& tree, const Key& key, const std::strin
                               std::size_t length) const {
   const auto count = static_cast<Index>(length);
   if (count < key.shortest || count > key.longest) {
-    std::string allowed = message(key.shortest);
-    if (key.longest == std::numeric_limits<int>::max()) {
-      allowed = message("at least ", key.shortest);
-    } else if (key.longest != key.shortest) {
-      allowed = message(key.shortest, " to ", key.longest);
-    }
-    fail(
-        tree, path,
-        message("must hold ", allowed, key.longest == 1 ? " entry" : " entries", ", got ", length));
+    fail(tree, path, message("must hold ", allowed_length(key), ", got ", length));
   }
 }
 

@@ -1,0 +1,52 @@
+#include "bindings.hpp"
+#include "convert_geometry.hpp"
+
+namespace lapilli::python {
+
+void Convert<Shape>::load(const Where& where, py::handle given, Shape& member) {
+  if (!load_alternative(where, given, static_cast<Shape::variant&>(member))) {
+    where.refuse("a shape such as Box or Disk", given);
+  }
+}
+
+py::object Convert<Shape>::show(const Key& key, const Shape& member) {
+  return Convert<Shape::variant>::show(key, member);
+}
+
+void Convert<Nested>::load(const Where& where, py::handle given, Nested& member) {
+  Shape shape;
+  Convert<Shape>::load(where, given, shape);
+  member = Nested(std::move(shape));
+}
+
+py::object Convert<Nested>::show(const Key& key, const Nested& member) {
+  return member.empty() ? py::object(py::none()) : Convert<Shape>::show(key, *member);
+}
+
+void bind_geometry(py::module_& module) {
+  py::class_<AnyShape>(
+      module, "Shape",
+      "Any shape. Scenes of one or two dimensions leave out the last coordinates.");
+  bind_struct<Box>(
+      module, "Box",
+      "Interval, rectangle or box with sides along the axes; endless along axes beyond "
+      "the given numbers.");
+  bind_struct<HalfSpace>(module, "HalfSpace",
+                         "Everything on the side of a plane that its normal points away from.");
+  bind_struct<Disk>(module, "Disk", "Disk in the x-y plane; endless along z.");
+  bind_struct<Annulus>(module, "Annulus",
+                       "Ring between two circles in the x-y plane; endless along z.");
+  bind_struct<Sphere>(module, "Sphere", "Ball.");
+  bind_struct<Cylinder>(module, "Cylinder", "Cylinder with flat ends, from start to end.");
+  bind_struct<Polygon>(module, "Polygon",
+                       "Polygon in the x-y plane, convex or not; endless along z.");
+  bind_struct<Union>(module, "Union", "What lies in any of the shapes.");
+  bind_struct<Intersection>(module, "Intersection", "What lies in all of the shapes.");
+  bind_struct<Difference>(module, "Difference", "What lies in one shape and not in another.");
+  bind_struct<Rotated>(module, "Rotated",
+                       "A shape turned about an axis by the right-hand rule; in two dimensions "
+                       "anticlockwise.");
+  bind_struct<Translated>(module, "Translated", "A shape moved without turning.");
+}
+
+}  // namespace lapilli::python

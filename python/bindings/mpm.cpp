@@ -1,0 +1,21 @@
+#include "bindings.hpp"
+#include "convert_core.hpp"
+#include "convert_geometry.hpp"
+#include "lapilli/mpm/heat/heat_settings.hpp"
+
+namespace lapilli::python {
+
+void bind_mpm(py::module_& module) {
+  bind_struct<PrescribedFlux>(module, "Flux", "A prescribed flux, positive into the body.");
+  bind_struct<Convection>(
+      module, "Convection",
+      "Newton's law of cooling: flux into the body = coefficient (ambient - T).");
+  bind_struct<Radiation>(module, "Radiation",
+                         "Grey-body exchange: flux into the body = emissivity sigma (ambient^4 - "
+                         "T^4), in absolute kelvin.");
+  bind_struct<PrescribedTemperature>(module, "Temperature",
+                                     "A temperature held on a surface that need not fit the grid.");
+  bind_struct<HeatSettings>(module, "Heat", "Heat conduction: the section [heat] of a scene.");
+}
+
+}  // namespace lapilli::python

@@ -1,0 +1,130 @@
+#include "bindings.hpp"
+#include "convert_scene.hpp"
+#include "lapilli/scene/tree_reader.hpp"
+
+namespace lapilli::python {
+namespace {
+
+constexpr const char* places_name = "_places";
+
+py::object shown(const Scene& scene) { return Convert<Scene>::show(Key(""), scene); }
+
+void bind_places(py::module_& module) {
+  py::class_<Places, std::shared_ptr<Places>>(module, "_Places", "Where keys stand in a file.")
+      .def(py::pickle(
+          [](const Places& places) {
+            py::dict rows;
+            for (const auto& [path, place] : places.at) {
+              rows[py::str(path)] = py::make_tuple(place.line, place.column);
+            }
+            return py::make_tuple(places.source, rows);
+          },
+          [](const py::tuple& state) {
+            auto places = std::make_shared<Places>();
+            places->source = state[0].cast<std::string>();
+            for (const auto& [path, row] : state[1].cast<py::dict>()) {
+              const auto place = row.cast<py::tuple>();
+              places->at[path.cast<std::string>()] = {place[0].cast<int>(), place[1].cast<int>()};
+            }
+            return places;
+          }));
+}
+
+void bind_files(py::class_<Record<Scene>>& bound) {
+  const std::string self = "(self: lapilli._core.Scene";
+  bound
+      .def_static(
+          "load", [](const std::string& path) { return shown(load_scene(path)); }, py::arg("path"),
+          "load(path: str) -> Scene\n\nThe scene of a TOML file.")
+      .def_static(
+          "parse",
+          [](const std::string& text, const std::string& name) {
+            return shown(parse_scene(text, name));
+          },
+          py::arg("text"), py::arg("name") = "scene",
+          "parse(text: str, name: str = 'scene') -> Scene\n\nThe scene of a TOML text; messages "
+          "call it by `name`.")
+      .def(
+          "save",
+          [](const py::object& scene, const std::string& path) {
+            save_scene(scene_of(scene), path);
+          },
+          py::arg("path"),
+          ("save" + self +
+           ", path: str) -> None\n\nWrite the scene as TOML. Functions and arrays, which no file "
+           "holds, are a ValueError.")
+              .c_str())
+      .def(
+          "to_toml",
+          [](const py::object& scene, bool everything) {
+            return to_toml(scene_of(scene), everything ? Members::all : Members::changed);
+          },
+          py::arg("everything") = false,
+          ("to_toml" + self +
+           ", everything: bool = False) -> str\n\nThe scene as TOML; with defaults filled in if "
+           "`everything`.")
+              .c_str())
+      .def(
+          "to_json", [](const py::object& scene) { return to_json(scene_of(scene)); },
+          ("to_json" + self +
+           ") -> str\n\nEvery setting with defaults filled in; functions and arrays are named "
+           "only.")
+              .c_str())
+      .def(
+          "set",
+          [](const py::object& scene, const std::string& assignment) {
+            Scene changed = scene_of(scene);
+            apply_override(changed, assignment);
+            return shown(changed);
+          },
+          py::arg("assignment"),
+          ("set" + self +
+           ", assignment: str) -> Scene\n\nA copy with one member changed by its path: "
+           "scene.set('grid.cell=0.05').")
+              .c_str());
+}
+
+}  // namespace
+
+Scene scene_of(const py::object& given) {
+  if (!Convert<Scene>::accepts(given)) {
+    Where{Key("scene"), ""}.refuse("a Scene", given);
+  }
+  Scene scene;
+  Convert<Scene>::read("", given, scene);
+  return scene;
+}
+
+void Extras<Scene>::load(const py::dict& attributes, Scene& scene) {
+  if (attributes.contains(places_name)) {
+    scene.places = attributes[places_name].cast<std::shared_ptr<Places>>();
+  }
+}
+
+void Extras<Scene>::show(const Scene& scene, py::dict& attributes) {
+  if (scene.places) {
+    attributes[places_name] = std::const_pointer_cast<Places>(scene.places);
+  }
+}
+
+void bind_scene(py::module_& module) {
+  bind_places(module);
+  bind_struct<RotationMotion>(module, "Rotation", "A body turned at constant speed.");
+  bind_struct<TranslationMotion>(module, "Translation", "A body moved at constant velocity.");
+  bind_struct<ImageSource>(module, "Image", "A picture whose dark pixels are the body.");
+  bind_struct<Body>(
+      module, "Body",
+      "A body: where its points come from (one of shape, image, points_file, points), "
+      "what it is made of, how it starts and how it is moved.");
+  bind_struct<GridSettings>(module, "Grid",
+                            "The background grid; its corners give the dimension of the scene.");
+  bind_struct<TimeSettings>(module, "Time", "When the run ends and how its steps are chosen.");
+  bind_struct<OutputSettings>(module, "Output", "What a run leaves on disk.");
+  auto scene =
+      bind_struct<Scene>(module, "Scene",
+                         "All that a run computes, as plain data. A section that is absent "
+                         "is physics that is not modelled.");
+  bind_files(scene);
+}
+
+}  // namespace lapilli::python
