@@ -19,6 +19,9 @@ namespace lapilli::python {
 
 namespace py = pybind11;
 
+/// Any array of numbers, made contiguous.
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
 /// Where a value is being read, for messages: the key and the object that holds it.
 struct Where {
   Key key;

@@ -6,8 +6,6 @@
 namespace lapilli::python {
 namespace {
 
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
 /// A Python callable as an ArrayFunction: called, and let go of, with the GIL held, whichever
 /// thread does so.
 class PythonFunction {

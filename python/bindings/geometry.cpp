@@ -23,6 +23,25 @@ py::object Convert<Nested>::show(const Key& key, const Nested& member) {
   return member.empty() ? py::object(py::none()) : Convert<Shape>::show(key, *member);
 }
 
+namespace {
+
+py::array_t<double> distances(const py::object& given, const Numbers& positions) {
+  require(positions.ndim() == 2 && positions.shape(1) >= 1 && positions.shape(1) <= 3,
+          "positions must be an array (n, dimension)");
+  Shape shape;
+  Convert<Shape>::load(Where{Key("shape"), ""}, given, shape);
+  check(shape, static_cast<int>(positions.shape(1)));
+  py::array_t<double> all(positions.shape(0));
+  for (py::ssize_t row = 0; row < positions.shape(0); ++row) {
+    Vec3 at = Vec3::Zero();
+    std::copy_n(positions.data(row, 0), positions.shape(1), at.data());
+    all.mutable_at(row) = distance(shape, at);
+  }
+  return all;
+}
+
+}  // namespace
+
 void bind_geometry(py::module_& module) {
   py::class_<AnyShape>(
       module, "Shape",

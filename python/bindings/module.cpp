@@ -14,4 +14,6 @@ PYBIND11_MODULE(_core, module) {
   bind_mpm(module);
   bind_points(module);
   bind_scene(module);
+  bind_simulation(module);
+  bind_run(module);
 }

@@ -6,8 +6,6 @@
 namespace lapilli::python {
 namespace {
 
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
 GivenPoints points_from(const std::string& owner, const Numbers& positions,
                         const Numbers& volumes) {
   require(positions.ndim() == 2 && positions.shape(1) >= 1 && positions.shape(1) <= 3, owner,

@@ -1,0 +1,154 @@
+#include "bindings.hpp"
+#include "convert_scene.hpp"
+#include "lapilli/output/merge.hpp"
+#include "lapilli/output/output_error.hpp"
+#include "lapilli/scene/check.hpp"
+#include "lapilli/scene/keys.hpp"
+#include "lapilli/scene/run_scene.hpp"
+#include "simulation.hpp"
+
+namespace lapilli::python {
+namespace {
+
+/// The end of a run that Python asks for: a signal, a callback that answers False or raises.
+class StopFromPython {
+ public:
+  StopFromPython(py::object simulation, py::object callback)
+      : simulation_(std::move(simulation)), callback_(std::move(callback)) {}
+
+  /// Whether to stop; errors wait for rethrow(), so that the last frame is written first.
+  bool operator()() {
+    try {
+      check_signals_();
+      if (callback_.is_none()) {
+        return false;
+      }
+      const py::gil_scoped_acquire gil;
+      return callback_(simulation_).is(py::bool_(false));
+    } catch (...) {
+      error_ = std::current_exception();
+      return true;
+    }
+  }
+  void rethrow() const {
+    if (error_) {
+      std::rethrow_exception(error_);
+    }
+  }
+
+ private:
+  py::object simulation_, callback_;
+  SignalCheck check_signals_;
+  std::exception_ptr error_;
+};
+
+RunSummary run_scene(const py::object& simulation, const py::object& scene, bool resume,
+                     const py::object& progress, const py::object& callback) {
+  auto& held = simulation.cast<PythonSimulation&>();
+  RunOptions options = run_options(scene_of(scene));
+  options.resume = resume;
+  StopFromPython stop(simulation, callback);
+  options.interrupted = [&] { return stop(); };
+  if (!progress.is_none()) {
+    options.progress = [&](const Progress& now) {
+      const py::gil_scoped_acquire gil;
+      progress(now);
+    };
+  }
+  Simulation& running = held.get();
+  const PythonSimulation::Stepping stepping(held);
+  RunSummary summary;
+  {
+    const py::gil_scoped_release release;
+    summary = run(running, options);
+  }
+  stop.rethrow();
+  return summary;
+}
+
+template <class Class, class Get>
+void property(py::class_<Class>& bound, const char* owner, const char* name, const char* type,
+              const char* text, Get get) {
+  bound.def_property_readonly(
+      name,
+      py::cpp_function(get, message(name, "(self: lapilli._core.", owner, ") -> ", type).c_str()),
+      text);
+}
+
+void bind_progress(py::module_& module) {
+  const char* owner = "Progress";
+  py::class_<Progress> bound(module, owner, "How far a run has come.");
+  using P = const Progress&;
+  property(bound, owner, "fraction", "float", "of the time to simulate, 0 to 1",
+           [](P p) { return p.fraction; });
+  property(bound, owner, "time", "float", "simulated, s", [](P p) { return p.time; });
+  property(bound, owner, "step_size", "float", "of the last step, s",
+           [](P p) { return p.step_size; });
+  property(bound, owner, "step", "int", "steps since the start", [](P p) { return p.step; });
+  property(bound, owner, "points", "int", "number of points", [](P p) { return p.points; });
+  property(bound, owner, "seconds_elapsed", "float", "of wall time",
+           [](P p) { return p.seconds_elapsed; });
+  property(bound, owner, "seconds_left", "float", "of wall time, estimated; NaN while unknown",
+           [](P p) { return p.seconds_left; });
+}
+
+void bind_summary(py::module_& module) {
+  const char* owner = "RunSummary";
+  py::class_<RunSummary> bound(module, owner, "What a run did.");
+  using S = const RunSummary&;
+  property(bound, owner, "finished", "bool", "whether it came to its end",
+           [](S s) { return s.status == RunStatus::finished; });
+  property(bound, owner, "time", "float", "simulated, s", [](S s) { return s.time; });
+  property(bound, owner, "frames", "int", "frames on disk", [](S s) { return s.frames; });
+  property(bound, owner, "steps", "int", "steps taken since the start or the resume",
+           [](S s) { return s.statistics.steps; });
+  property(bound, owner, "smallest_step", "float", "s",
+           [](S s) { return s.statistics.smallest_step; });
+  property(bound, owner, "largest_step", "float", "s",
+           [](S s) { return s.statistics.largest_step; });
+  property(bound, owner, "iterations", "int", "of implicit solves",
+           [](S s) { return s.statistics.iterations; });
+  property(bound, owner, "wall_seconds", "float", "of wall time",
+           [](S s) { return s.statistics.wall_seconds; });
+  property(bound, owner, "cpu_seconds", "float", "of processor time, all threads together",
+           [](S s) { return s.statistics.cpu_seconds; });
+}
+
+}  // namespace
+
+void bind_run(py::module_& module) {
+  py::register_exception<OutputError>(module, "OutputError", PyExc_OSError).doc() =
+      "A file could not be written or read; the message names the file and the reason.";
+  bind_progress(module);
+  bind_summary(module);
+  module.def(
+      "run_simulation", &run_scene, py::arg("simulation"), py::arg("scene"), py::arg("resume"),
+      py::arg("progress"), py::arg("callback"),
+      "run_simulation(simulation: Simulation, scene: Scene, resume: bool, progress: "
+      "collections.abc.Callable[[Progress], None] | None, callback: "
+      "collections.abc.Callable[[Simulation], typing.Any] | None) -> RunSummary\n\nRun to the end "
+      "of "
+      "the scene and leave what its output section asks for. After Ctrl-C, or an error in the "
+      "callback, the last frame and checkpoint are written before it is raised.");
+  module.def(
+      "check_text", [](const py::object& scene) { return text_of(check(scene_of(scene))); },
+      py::arg("scene"),
+      "check_text(scene: Scene) -> str\n\nWhat a scene models and costs, as lines of text.");
+  module.def(
+      "check_json", [](const py::object& scene) { return json_of(check(scene_of(scene))); },
+      py::arg("scene"),
+      "check_json(scene: Scene) -> str\n\nWhat a scene models and costs, as JSON.");
+  module.def("keys_as_markdown", &keys_as_markdown,
+             "keys_as_markdown() -> str\n\nEvery key of a scene file, as Markdown tables.");
+  module.def(
+      "merge", [](const std::string& from, const std::string& to) { merge(from, to); },
+      py::arg("from_path"), py::arg("to_path"),
+      "merge(from_path: str, to_path: str) -> None\n\nGather a series of frames into one "
+      "self-contained file.");
+  module.def("cpu_seconds", &cpu_seconds,
+             "cpu_seconds() -> float\n\nProcessor time used by this process.");
+  module.def("peak_memory", &peak_memory,
+             "peak_memory() -> int\n\nThe most memory this process has used, bytes.");
+}
+
+}  // namespace lapilli::python

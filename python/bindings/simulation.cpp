@@ -1,0 +1,251 @@
+#include "simulation.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include <pybind11/stl.h>
+#include "bindings.hpp"
+
+#include "convert_scene.hpp"
+#include "lapilli/scene/build.hpp"
+
+namespace lapilli::python {
+namespace {
+
+using Numbers = py::array_t<double>;
+
+/// A view of `rows` x `components` numbers that keeps `owner` alive; users may not write to it,
+/// because what a physics evolves need not be what it shows.
+Numbers view(const py::object& owner, std::span<const double> values, Index rows, int components) {
+  std::vector<py::ssize_t> shape = {rows};
+  if (components > 1) {
+    shape.push_back(components);
+  }
+  Numbers array(shape, values.data(), owner);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+py::array_t<Index> view(const py::object& owner, std::span<const Index> values) {
+  py::array_t<Index> array({static_cast<py::ssize_t>(values.size())}, values.data(), owner);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+std::vector<std::string> field_names(PythonSimulation& simulation) {
+  std::vector<std::string> names = {"position", "volume", "id", "body"};
+  for (const Field& field : simulation.get().fields()) {
+    names.push_back(field.name);
+  }
+  return names;
+}
+
+py::object field(const py::object& self, const std::string& name) {
+  auto& simulation = self.cast<PythonSimulation&>();
+  Points& points = simulation.get().points();
+  if (name == "position") {
+    return view(self, points.position(), points.size(), points.dimension());
+  }
+  if (name == "volume") {
+    return view(self, points.volume(), points.size(), 1);
+  }
+  if (name == "id" || name == "body") {
+    return view(self, name == "id" ? points.id() : points.body());
+  }
+  for (const Field& candidate : simulation.get().fields()) {
+    if (candidate.name == name) {
+      return view(self, candidate.values, points.size(), candidate.components);
+    }
+  }
+  throw py::key_error(unknown_name("field", name, field_names(simulation)));
+}
+
+py::object by_id(const py::object& self, const std::string& name) {
+  const auto ids = self.cast<PythonSimulation&>().get().points().id();
+  py::array_t<Index> order(static_cast<py::ssize_t>(ids.size()));
+  for (std::size_t row = 0; row < ids.size(); ++row) {
+    order.mutable_at(ids[row]) = static_cast<Index>(row);
+  }
+  return field(self, name)[order];
+}
+
+std::string unit_of(PythonSimulation& simulation, const std::string& name) {
+  for (const Field& field : simulation.get().fields()) {
+    if (field.name == name) {
+      return field.unit;
+    }
+  }
+  throw py::key_error(unknown_name("field", name, field_names(simulation)));
+}
+
+py::dict diagnostics(PythonSimulation& simulation) {
+  py::dict all;
+  for (const auto& physics : simulation.get().physics()) {
+    for (const auto& [name, value] : physics->diagnostics()) {
+      all[py::str(physics->name() + "/" + name)] = value;
+    }
+  }
+  return all;
+}
+
+py::dict limits(PythonSimulation& simulation) {
+  py::dict all;
+  for (const auto& physics : simulation.get().physics()) {
+    const StepLimit limit = physics->step_limit();
+    all[py::str(physics->name())] = py::make_tuple(limit.automatic, limit.hard, limit.reason);
+  }
+  return all;
+}
+
+void bind_reports(py::module_& module) {
+  py::class_<StepReport>(module, "StepReport", "What one step did.")
+      .def_property_readonly(
+          "accepted",
+          py::cpp_function([](const StepReport& report) { return report.accepted; },
+                           "accepted(self: lapilli._core.StepReport) -> float"),
+          "size of the step taken, s")
+      .def_property_readonly(
+          "iterations",
+          py::cpp_function([](const StepReport& report) { return report.iterations; },
+                           "iterations(self: lapilli._core.StepReport) -> int"),
+          "iterations of implicit solves")
+      .def_property_readonly(
+          "residual",
+          py::cpp_function([](const StepReport& report) { return report.residual; },
+                           "residual(self: lapilli._core.StepReport) -> float"),
+          "relative residual of implicit solves");
+}
+
+void bind_ledger(py::module_& module) {
+  const std::string self = "(self: lapilli._core.Ledger)";
+  py::class_<Ledger> bound(
+      module, "Ledger",
+      "The account of one conserved quantity: what was there, what came in, what is there now.");
+  const auto number = [&](const char* name, auto get, const char* text) {
+    bound.def_property_readonly(name, py::cpp_function(get, (name + self + " -> float").c_str()),
+                                text);
+  };
+  const auto text = [&](const char* name, auto get, const char* says) {
+    bound.def_property_readonly(name, py::cpp_function(get, (name + self + " -> str").c_str()),
+                                says);
+  };
+  text(
+      "quantity", [](const Ledger& ledger) { return ledger.quantity; }, "what is conserved");
+  text(
+      "unit", [](const Ledger& ledger) { return ledger.unit; }, "unit of every amount");
+  number(
+      "initial", [](const Ledger& ledger) { return ledger.initial; }, "stored at the start");
+  number(
+      "stored", [](const Ledger& ledger) { return ledger.stored; }, "stored now");
+  number(
+      "taken_in", [](const Ledger& ledger) { return ledger.taken_in(); },
+      "sum of the entries, counted inwards");
+  number(
+      "turnover", [](const Ledger& ledger) { return ledger.turnover(); },
+      "sum of the entries' sizes");
+  number(
+      "residual", [](const Ledger& ledger) { return ledger.residual(); },
+      "(stored - initial - taken in) over the larger of turnover and capacity x span");
+  bound.def_property_readonly("entries",
+                              py::cpp_function(
+                                  [](const Ledger& ledger) {
+                                    py::dict all;
+                                    for (const auto& entry : ledger.entries) {
+                                      all[py::str(entry.name)] = entry.in;
+                                    }
+                                    return all;
+                                  },
+                                  ("entries" + self + " -> dict[str, float]").c_str()),
+                              "what came in by each way since the start; negative: went out");
+  bound.def(
+      "__repr__",
+      [](const Ledger& ledger) {
+        return message("<", ledger.quantity, ": ", ledger.taken_in(), " ", ledger.unit, " in, ",
+                       ledger.stored, " stored, residual ", ledger.residual(), ">");
+      },
+      ("__repr__" + self + " -> str").c_str());
+}
+
+}  // namespace
+
+void bind_simulation(py::module_& module) {
+  bind_reports(module);
+  bind_ledger(module);
+  const std::string self = "(self: lapilli._core.Simulation";
+  const std::string array = " -> numpy.typing.NDArray[typing.Any]";
+  py::class_<PythonSimulation> bound(module, "Simulation",
+                                     "A clock, the points and an ordered list of physics, built "
+                                     "from a scene. Stepping releases the GIL.");
+  bound
+      .def(py::init([](const py::object& given) {
+             const Scene scene = scene_of(given);
+             const py::gil_scoped_release release;
+             return std::make_unique<PythonSimulation>(build(scene));
+           }),
+           py::arg("scene"), ("__init__" + self + ", scene: Scene) -> None").c_str())
+      .def(
+          "step", [](PythonSimulation& simulation) { return simulation.step(); },
+          ("step" + self + ") -> StepReport\n\nTake one step.").c_str())
+      .def(
+          "run_until",
+          [](const py::object& of, double time, const py::object& callback) {
+            of.cast<PythonSimulation&>().run_until(of, time, callback);
+          },
+          py::arg("time"), py::arg("callback") = py::none(),
+          ("run_until" + self +
+           ", time: float, callback: collections.abc.Callable[[Simulation], typing.Any] | None = "
+           "None) -> None\n\nStep until `time`, exactly. After each step `callback(simulation)` "
+           "may "
+           "return False to stop early.")
+              .c_str())
+      .def("__getitem__", &field, py::arg("name"),
+           ("__getitem__" + self + ", name: str)" + array +
+            "\n\nA field as a read-only view without copy, brought up to date, one row a point in "
+            "the present order. It keeps the simulation alive; later steps change it.")
+               .c_str())
+      .def("by_id", &by_id, py::arg("name"),
+           ("by_id" + self + ", name: str)" + array +
+            "\n\nA copy of a field with its rows in the order of the points' ids.")
+               .c_str())
+      .def("unit", &unit_of, py::arg("name"),
+           ("unit" + self + ", name: str) -> str\n\nThe unit of a field.").c_str())
+      .def(
+          "__len__", [](PythonSimulation& of) { return of.get().points().size(); },
+          ("__len__" + self + ") -> int\n\nThe number of points.").c_str())
+      .def(
+          "ledger", [](PythonSimulation& of) { return of.get().ledgers(); },
+          ("ledger" + self + ") -> list[Ledger]\n\nThe account of every conserved quantity.")
+              .c_str())
+      .def("diagnostics", &diagnostics,
+           ("diagnostics" + self + ") -> dict[str, float]\n\nNumbers worth watching, by physics.")
+               .c_str())
+      .def("limits", &limits,
+           ("limits" + self +
+            ") -> dict[str, tuple[float, float, str]]\n\nOf each physics the automatic step, the "
+            "largest one allowed and why, s.")
+               .c_str());
+  const auto property = [&](const char* name, auto get, const std::string& type, const char* text) {
+    bound.def_property_readonly(name, py::cpp_function(get, (name + self + ") -> " + type).c_str()),
+                                text);
+  };
+  property(
+      "time", [](PythonSimulation& of) { return of.get().time(); }, "float", "the clock, s");
+  property(
+      "end", [](PythonSimulation& of) { return of.get().end(); }, "float",
+      "time at which the scene ends, s");
+  property(
+      "step_index", [](PythonSimulation& of) { return of.get().step_index(); }, "int",
+      "steps taken");
+  property(
+      "step_size", [](PythonSimulation& of) { return of.get().next_step_size(); }, "float",
+      "size of the next step, s");
+  property(
+      "dimension", [](PythonSimulation& of) { return of.get().points().dimension(); }, "int",
+      "1, 2 or 3");
+  property("fields", &field_names, "list[str]", "names that can be asked for");
+  property(
+      "position", [](const py::object& of) { return field(of, "position"); },
+      "numpy.typing.NDArray[numpy.float64]", "positions (points, dimension), a view, m");
+}
+
+}  // namespace lapilli::python

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "lapilli/core/simulation.hpp"
+
+namespace lapilli::python {
+
+namespace py = pybind11;
+
+/// Lets Ctrl-C through while the GIL is released: asks Python for signals every twentieth of a
+/// second. Throws what Python raises (KeyboardInterrupt).
+class SignalCheck {
+ public:
+  void operator()();
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// A simulation held by Python. One thread at a time may step it or look at it.
+class PythonSimulation {
+ public:
+  explicit PythonSimulation(std::unique_ptr<Simulation> simulation)
+      : simulation_(std::move(simulation)) {}
+
+  /// Throws RuntimeError while another thread steps it.
+  Simulation& get();
+
+  StepReport step();
+  void run_until(const py::object& self, double time, const py::object& callback);
+
+  /// Marks the simulation as stepped by this thread for as long as it lives. Throws RuntimeError
+  /// when it is being stepped already.
+  class Stepping {
+   public:
+    explicit Stepping(PythonSimulation& simulation);
+    ~Stepping();
+    Stepping(const Stepping&) = delete;
+    Stepping& operator=(const Stepping&) = delete;
+
+   private:
+    PythonSimulation& simulation_;
+  };
+
+ private:
+  std::unique_ptr<Simulation> simulation_;
+  std::thread::id stepped_by_;  // read and written with the GIL held
+};
+
+}  // namespace lapilli::python

@@ -1,0 +1,228 @@
+"""The command line: lapilli run, check, reproduce, tradeoff, plot, merge, keys."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NoReturn
+
+from lapilli import _core
+from lapilli._core import OutputError, RunError, Scene
+
+FINISHED, RUN_FAILED, WRONG_INPUT, DISK_FAILED, BAR_MISSED, STOPPED = 0, 1, 2, 3, 4, 130
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Run one command; mistakes become one line on standard error and an exit code."""
+    given = parser().parse_args(words)
+    try:
+        code: int = given.command(given)
+        return code
+    except KeyboardInterrupt:
+        print("\nlapilli: stopped", file=sys.stderr)
+        return STOPPED
+    except BrokenPipeError:
+        sys.stderr.close()
+        return FINISHED
+    except OutputError as error:
+        return report(error, DISK_FAILED)
+    except RunError as error:
+        return report(error, RUN_FAILED)
+    except (ValueError, OSError) as error:
+        return report(error, WRONG_INPUT)
+
+
+def report(error: Exception, code: int) -> int:
+    """Say what went wrong."""
+    print(f"lapilli: {error}", file=sys.stderr)
+    return code
+
+
+class Parser(argparse.ArgumentParser):
+    """Says what is wrong and how to ask for help, in two lines."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(WRONG_INPUT, f"{self.prog}: {message}\n(see {self.prog} --help)\n")
+
+
+def parser() -> argparse.ArgumentParser:
+    """Commands and their options."""
+    top = Parser(prog="lapilli", description=_summary())
+    top.add_argument("--version", action="version", version=f"lapilli {_core.__version__}")
+    commands = top.add_subparsers(required=True, metavar="COMMAND", parser_class=Parser)
+
+    run = commands.add_parser("run", help="run a scene")
+    _scene_arguments(run)
+    run.add_argument("--output", metavar="FILE", help="frames for ParaView (.vtkhdf)")
+    run.add_argument("--every", type=float, metavar="S", help="time between frames, s")
+    run.add_argument("--threads", type=_count, metavar="N", help="all processors unless given")
+    run.add_argument("--resume", action="store_true", help="go on from the checkpoint")
+    run.add_argument("--quiet", action="store_true", help="show no progress")
+    run.set_defaults(command=run_command)
+
+    check = commands.add_parser("check", help="say what a scene models and costs")
+    _scene_arguments(check)
+    check.add_argument("--json", action="store_true", help="as JSON")
+    check.set_defaults(command=check_command)
+
+    plot = commands.add_parser("plot", help="a picture or an animation of a run")
+    plot.add_argument("frames", help="frames (.vtkhdf)")
+    plot.add_argument("--field", help="temperature unless given")
+    plot.add_argument("--time", type=float, metavar="S", help="the last frame unless given")
+    plot.add_argument("--save", metavar="FILE", help=".png, .pdf, .svg; .gif and .mp4 are animated")
+    plot.set_defaults(command=plot_command)
+
+    merge = commands.add_parser("merge", help="gather the files of a run into one")
+    merge.add_argument("frames", help="frames (.vtkhdf)")
+    merge.add_argument("target", help="the one file (.vtkhdf)")
+    merge.set_defaults(command=merge_command)
+
+    keys = commands.add_parser("keys", help="list every key of a scene file")
+    keys.set_defaults(command=keys_command)
+
+    _add_tradeoff(commands)
+    _add_reproduce(commands)
+    return top
+
+
+def _summary() -> str:
+    return "Heat and large deformation with particles, on boundaries that do not fit the grid."
+
+
+def _scene_arguments(command: argparse.ArgumentParser) -> None:
+    command.add_argument("scene", help="scene file (TOML)")
+    command.add_argument(
+        "--set", action="append", default=[], metavar="PATH=VALUE", dest="changes",
+        help="change one member of the scene: grid.cell=0.05; may be repeated",
+    )
+
+
+def _count(text: str) -> int:
+    number = int(text)
+    if not 1 <= number <= 4096:
+        raise argparse.ArgumentTypeError(f"from 1 to 4096, got {number}")
+    return number
+
+
+def _add_tradeoff(commands: argparse._SubParsersAction[Parser]) -> None:
+    tradeoff = commands.add_parser("tradeoff", help="measure error against cost")
+    _scene_arguments(tradeoff)
+    tradeoff.add_argument(
+        "--vary", action="append", required=True, metavar="PATH=A,B,...",
+        help="values of one member to try; may be repeated",
+    )
+    tradeoff.add_argument(
+        "--reference", required=True, metavar="WHAT",
+        help="radial, slab, finer:grid.cell=0.05, a .vtkhdf file, or module:function",
+    )
+    tradeoff.add_argument("--times", metavar="S,S,...", help="the end unless given")
+    tradeoff.add_argument("--field", default="temperature")
+    tradeoff.add_argument("--repeats", type=_count, default=3)
+    tradeoff.add_argument("--workers", type=_count, default=1, help="runs at once")
+    tradeoff.add_argument("--threads", type=_count, default=1, help="threads of each run")
+    tradeoff.add_argument("--target-error", type=float, metavar="E", help="name the cheapest within")
+    tradeoff.add_argument("--budget", type=float, metavar="S", help="name the best within CPU s")
+    tradeoff.add_argument(
+        "--output", metavar="NAME", help="NAME.csv, .json, .png, .jsonl; the scene's unless given"
+    )
+    tradeoff.set_defaults(command=tradeoff_command)
+
+
+def _add_reproduce(commands: argparse._SubParsersAction[Parser]) -> None:
+    reproduce = commands.add_parser("reproduce", help="paper, reference and lapilli side by side")
+    reproduce.add_argument("case", nargs="*", help="vhfm/ring, or vhfm for all of it; all if none")
+    reproduce.add_argument("--list", action="store_true", help="list the cases")
+    reproduce.add_argument("--quick", action="store_true", help="smaller sizes, in seconds")
+    reproduce.add_argument("--json", metavar="FILE", help="write the rows")
+    reproduce.add_argument("--plot", metavar="DIR", help="draw the paper's figures")
+    reproduce.set_defaults(command=reproduce_command)
+
+
+def load(given: argparse.Namespace) -> Scene:
+    """The scene with its changes."""
+    scene = Scene.load(given.scene)
+    for change in given.changes:
+        scene = scene.set(change)
+    return scene
+
+
+def run_command(given: argparse.Namespace) -> int:
+    """lapilli run"""
+    from lapilli.progress import readable_time
+    from lapilli.result import run
+
+    scene = load(given)
+    output = given.output or scene.output.path or Path(given.scene).stem + ".vtkhdf"
+    result = run(
+        scene, output, given.every, threads=given.threads, progress=not given.quiet,
+        resume=given.resume,
+    )
+    if not given.quiet:
+        summary = result.summary
+        print(
+            f"{'finished' if summary.finished else 'stopped'} at {summary.time:g} s after "
+            f"{result.simulation.step_index} steps in {readable_time(summary.wall_seconds)}; "
+            f"{summary.frames} frames in {output}"
+        )
+        for ledger in result.ledger.values():
+            print(
+                f"{ledger.quantity}: {ledger.taken_in:.6g} {ledger.unit} came in, "
+                f"{ledger.stored:.6g} stored at the end, balance off by {ledger.residual:.1e}"
+            )
+    return FINISHED
+
+
+def check_command(given: argparse.Namespace) -> int:
+    """lapilli check"""
+    scene = load(given)
+    text = _core.check_json(scene) if given.json else _core.check_text(scene)
+    print(text, end="" if text.endswith("\n") else "\n")
+    return FINISHED
+
+
+def plot_command(given: argparse.Namespace) -> int:
+    """lapilli plot"""
+    from lapilli import plot
+
+    save = Path(given.save or Path(given.frames).with_suffix(".png"))
+    if save.suffix.lower() in {".gif", ".mp4", ".webm"}:
+        plot.animate(given.frames, save, given.field)
+    else:
+        plot.draw(given.frames, given.field, given.time, save)
+    print(f"wrote {save}")
+    return FINISHED
+
+
+def merge_command(given: argparse.Namespace) -> int:
+    """lapilli merge"""
+    _core.merge(given.frames, given.target)
+    print(f"wrote {given.target}")
+    return FINISHED
+
+
+def keys_command(given: argparse.Namespace) -> int:
+    """lapilli keys"""
+    print(_core.keys_as_markdown(), end="")
+    return FINISHED
+
+
+def tradeoff_command(given: argparse.Namespace) -> int:
+    """lapilli tradeoff"""
+    from lapilli.study.show import show_study
+
+    show_study(load(given), given)
+    return FINISHED
+
+
+def reproduce_command(given: argparse.Namespace) -> int:
+    """lapilli reproduce"""
+    from lapilli.reproduce import show_cases
+
+    kept = show_cases(given.case, given.list, given.quick, given.json, given.plot)
+    return FINISHED if kept else BAR_MISSED
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,55 @@
+"""What a reproduced case is: rows of numbers with bars, and figures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from lapilli._core import Scene
+
+SCENES = "examples"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Row:
+    """One number of a paper beside ours. `bar` says in words what is asked for."""
+
+    case: str
+    setting: str
+    quantity: str
+    unit: str
+    paper: float | None
+    reference: float | None
+    lapilli: float
+    bar: str
+    ok: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class Case:
+    """A case of a paper: `run(quick)` computes its rows, `plot(folder, quick)` draws its figures."""
+
+    name: str  # "vhfm/ring"
+    title: str
+    run: Callable[[bool], list[Row]]
+    plot: Callable[[Path, bool], list[Path]] | None = None
+
+
+def within(value: float, bar: float) -> tuple[str, bool]:
+    """A bar on an error: ("<= 0.01", whether the value keeps it)."""
+    return f"<= {bar:g}", bool(abs(value) <= bar)
+
+
+def quotient_within(value: float, reference: float, share: float) -> tuple[str, bool]:
+    """A bar on a number near a reference: ("within 0.5 %", whether it is kept)."""
+    return f"within {100 * share:g} %", bool(abs(value - reference) <= share * abs(reference))
+
+
+def example(name: str) -> Scene:
+    """A scene of the examples folder, from the source tree or the working directory."""
+    for root in (Path(__file__).resolve().parents[3], Path.cwd()):
+        path = root / SCENES / f"{name}.toml"
+        if path.is_file():
+            return Scene.load(str(path))
+    raise ValueError(f"{SCENES}/{name}.toml was not found: run in the folder of the sources")

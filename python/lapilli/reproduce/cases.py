@@ -1,0 +1,30 @@
+"""Which cases there are; a case is imported when it is asked for."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Sequence
+
+from lapilli.reproduce.case import Case
+
+# name of the case -> module that holds it as CASE
+MODULES: dict[str, str] = {}
+
+
+def names(wanted: Sequence[str]) -> list[str]:
+    """The cases of these names or groups ("vhfm"); all where none is named."""
+    chosen: list[str] = []
+    for name in wanted or [""]:
+        group = name.rstrip("/") + "/"
+        found = [case for case in MODULES if not name or case == name or case.startswith(group)]
+        if not found:
+            known = ", ".join(MODULES) or "none yet"
+            raise ValueError(f"no case {name!r}; there is: {known}")
+        chosen += [case for case in found if case not in chosen]
+    return chosen
+
+
+def load(name: str) -> Case:
+    """One case."""
+    case: Case = importlib.import_module(MODULES[name]).CASE
+    return case

@@ -1,0 +1,74 @@
+"""The command `lapilli reproduce`: a table, JSON rows, figures."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+
+from rich.console import Console
+from rich.table import Table
+
+from lapilli.progress import readable_time
+from lapilli.reproduce import cases
+from lapilli.reproduce.case import Row
+
+
+def show_cases(
+    wanted: Sequence[str],
+    list_only: bool = False,
+    quick: bool = False,
+    json_file: str | None = None,
+    plot_folder: str | None = None,
+) -> bool:
+    """Run cases and print them; whether every bar is kept."""
+    names = cases.names(wanted)
+    rows: list[Row] = []
+    for name in names:
+        case = cases.load(name)
+        if list_only:
+            print(f"{name:20s} {case.title}")
+            continue
+        print(f"{name}: {case.title}", file=sys.stderr, flush=True)
+        started = time.perf_counter()
+        found = case.run(quick)
+        print_rows(name, found, time.perf_counter() - started)
+        rows += found
+        if plot_folder is not None and case.plot is not None:
+            Path(plot_folder).mkdir(parents=True, exist_ok=True)
+            for picture in case.plot(Path(plot_folder), quick):
+                print(f"wrote {picture}")
+        if json_file is not None:
+            Path(json_file).write_text(json.dumps([asdict(row) for row in rows], indent=1) + "\n")
+    return all(row.ok for row in rows)
+
+
+def print_rows(name: str, rows: Sequence[Row], seconds: float) -> None:
+    """Paper, reference and lapilli side by side."""
+    table = Table(title=f"{name} ({readable_time(seconds)})", title_justify="left")
+    for title in ("setting", "quantity"):
+        table.add_column(title, overflow="fold")
+    for title in ("paper", "reference", "lapilli", "bar", ""):
+        table.add_column(title, justify="right")
+    for row in rows:
+        unit = f" ({row.unit})" if row.unit else ""
+        table.add_row(
+            row.setting,
+            row.quantity + unit,
+            text(row.paper),
+            text(row.reference),
+            text(row.lapilli),
+            row.bar,
+            "ok" if row.ok else "MISSED",
+            style=None if row.ok else "bold red",
+        )
+    console = Console(width=None if sys.stdout.isatty() else 140)
+    console.print(table)
+
+
+def text(value: float | None) -> str:
+    """Four digits; nothing where there is no number."""
+    return "" if value is None else f"{value:.4g}"

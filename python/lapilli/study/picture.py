@@ -1,0 +1,55 @@
+"""Error against cost, log-log, with the Pareto front."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from lapilli.plot import require_matplotlib
+from lapilli.study.settings import Setting
+from lapilli.study.table import Table, cost_of, error_of
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+MARKERS = "osD^vP*X<>"
+
+
+def draw(table: Table, path: str | os.PathLike[str] | None = None) -> Figure:
+    """One line for each combination of all settings but the first; the front in grey."""
+    require_matplotlib()
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(figsize=(7, 5), layout="constrained")
+    series: dict[Setting, list[tuple[float, float, str]]] = {}
+    for row in table.rows:
+        if row.error is not None and row.cpu_seconds:
+            first, rest = row.setting.changes[0], Setting(row.setting.changes[1:])
+            point = (cost_of(row), max(error_of(row), 1e-16), first[1])
+            series.setdefault(rest, []).append(point)
+    front = [(cost_of(row), max(error_of(row), 1e-16)) for row in table.front]
+    if front:
+        axes.step(*zip(*front, strict=True), where="post", color="0.8", lw=6, zorder=0,
+                  label="Pareto front")
+    for number, (rest, points) in enumerate(series.items()):
+        cost, error, labels = zip(*points, strict=True)
+        marker = MARKERS[number % len(MARKERS)]
+        axes.plot(cost, error, marker=marker, lw=1, label=str(rest) or None)
+        for x, y, label in points:
+            axes.annotate(label, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=7)
+    if series:
+        axes.set(xscale="log", yscale="log")
+    unit = f" ({table.unit})" if table.unit else ""
+    varied = table.rows[0].setting.changes[0][0] if table.rows else ""
+    axes.set(xlabel="CPU time (s)", ylabel=f"RMS error of {table.field}{unit}", title=varied)
+    axes.grid(which="both", alpha=0.2)
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(fontsize=7)
+    failed = sum(row.error is None for row in table.rows)
+    if failed:
+        axes.text(0.01, 0.01, f"not shown: {failed} unstable or refused", fontsize=7,
+                  transform=axes.transAxes)
+    if path is not None:
+        figure.savefig(path, dpi=150)
+    plt.close(figure)
+    return figure

@@ -1,0 +1,146 @@
+"""What a study measured, as a table: median and spread, the Pareto front, advice."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import statistics
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from lapilli.study.measure import Measurement
+from lapilli.study.settings import Setting
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True)
+class Row:
+    """One setting. Without an error, `reason` says why."""
+
+    setting: Setting
+    error: float | None
+    largest: float | None
+    cpu_seconds: float | None  # median over the repeats
+    cpu_spread: float | None  # slowest minus fastest
+    steps: int | None
+    points: int | None
+    peak_memory: int | None  # bytes, median
+    repeats: int
+    on_front: bool
+    reason: str
+
+    def as_json(self) -> dict[str, Any]:
+        """Plain values, one key for each varied setting."""
+        rest = {key: value for key, value in asdict(self).items() if key != "setting"}
+        return {**dict(self.setting.changes), **rest}
+
+
+class Table:
+    """One row a setting, in the order in which settings were given."""
+
+    def __init__(self, rows: Sequence[Row], field: str, unit: str = "") -> None:
+        self.rows = list(rows)
+        self.field = field
+        self.unit = unit
+
+    @classmethod
+    def of(
+        cls, settings: Sequence[Setting], measurements: Iterable[Measurement], field: str, unit: str
+    ) -> Table:
+        """Gather the repeats of each setting."""
+        found: dict[Setting, list[Measurement]] = {setting: [] for setting in settings}
+        for measurement in measurements:
+            found.setdefault(measurement.setting, []).append(measurement)
+        rows = [row_of(setting, repeats) for setting, repeats in found.items() if repeats]
+        return cls(with_front(rows), field, unit)
+
+    @property
+    def front(self) -> list[Row]:
+        """The settings that no other beats in both error and cost, cheapest first."""
+        return sorted((row for row in self.rows if row.on_front), key=cost_of)
+
+    def advice(self, target_error: float | None = None, budget: float | None = None) -> str:
+        """The cheapest setting within an error, or the most accurate within a cost (CPU s)."""
+        if target_error is not None:
+            good = [row for row in self.front if error_of(row) <= target_error]
+            if good:
+                return f"cheapest within {target_error:g}: {said(good[0])}"
+            best = f"; the best is {said(self.front[-1])}" if self.front else ""
+            return f"no setting tried has an error within {target_error:g}{best}"
+        if budget is not None:
+            paid = [row for row in self.front if cost_of(row) <= budget]
+            if paid:
+                return f"most accurate within {budget:g} CPU s: {said(paid[-1])}"
+            least = f"; the cheapest is {said(self.front[0])}" if self.front else ""
+            return f"no setting tried costs at most {budget:g} CPU s{least}"
+        return f"most accurate: {said(self.front[-1])}" if self.front else "no setting worked"
+
+    def to_csv(self, path: str | os.PathLike[str]) -> None:
+        """One line a setting."""
+        rows = [row.as_json() for row in self.rows]
+        with open(path, "w", newline="") as file:
+            writer = csv.DictWriter(file, list(rows[0]) if rows else [])
+            writer.writeheader()
+            writer.writerows(rows)
+
+    def to_json(self, path: str | os.PathLike[str]) -> None:
+        """A list of rows."""
+        Path(path).write_text(json.dumps([row.as_json() for row in self.rows], indent=1) + "\n")
+
+    def picture(self, path: str | os.PathLike[str] | None = None) -> Figure:
+        """Error against cost with the Pareto front, log-log."""
+        from lapilli.study.picture import draw
+
+        return draw(self, path)
+
+
+def row_of(setting: Setting, repeats: Sequence[Measurement]) -> Row:
+    """Median and spread of one setting."""
+    failed = next((m for m in repeats if m.error is None), None)
+    costs = [m.cost for m in repeats if m.cost is not None]
+    seconds = [cost.cpu_seconds for cost in costs]
+    last = failed or repeats[-1]
+    return Row(
+        setting,
+        last.error,
+        last.largest,
+        statistics.median(seconds) if seconds else None,
+        max(seconds) - min(seconds) if seconds else None,
+        costs[-1].steps if costs else None,
+        costs[-1].points if costs else None,
+        int(statistics.median(cost.peak_memory for cost in costs)) if costs else None,
+        len(repeats),
+        False,
+        last.reason,
+    )
+
+
+def with_front(rows: Sequence[Row]) -> list[Row]:
+    """Mark the rows that no other row beats in both error and cost."""
+    best = float("inf")
+    on_front = set()
+    for row in sorted((r for r in rows if r.error is not None), key=lambda r: (cost_of(r), r.error)):
+        if error_of(row) < best:
+            best = error_of(row)
+            on_front.add(row.setting)
+    return [Row(**{**vars(row), "on_front": row.setting in on_front}) for row in rows]
+
+
+def error_of(row: Row) -> float:
+    """The error; infinite where there is none."""
+    return float("inf") if row.error is None else row.error
+
+
+def cost_of(row: Row) -> float:
+    """CPU seconds; infinite where unknown."""
+    return float("inf") if row.cpu_seconds is None else row.cpu_seconds
+
+
+def said(row: Row) -> str:
+    """A row in one line of advice."""
+    return f"{row.setting} (error {error_of(row):.3g}, {cost_of(row):.3g} CPU s)"

@@ -1,0 +1,108 @@
+"""Scenes as Python objects: nesting, files, functions, overrides."""
+
+import copy
+import pickle
+from pathlib import Path
+
+import lapilli as lp
+import numpy as np
+import pytest
+
+
+SOLID = lp.Thermal(density=1, specific_heat=1, conductivity=1)
+
+
+def linear(position, temperature, time):
+    """A function at the top of a module, as pickling needs it."""
+    return position[:, 0] + time
+
+
+def test_what_is_given_stays_the_same_object(ring: lp.Scene) -> None:
+    boundary = lp.Flux(value=1)
+    ring.heat.boundaries.append(boundary)
+    boundary.value = 2
+    assert ring.heat.boundaries[-1].value == 2.0
+    assert "value = 2.0" in ring.to_toml()
+
+
+def test_lists_of_two_scenes_are_not_shared(ring: lp.Scene) -> None:
+    boundaries = [lp.Flux(value=1)]
+    heat = lp.Heat(boundaries=boundaries)
+    boundaries.append(lp.Flux(value=2))
+    assert len(heat.boundaries) == 1
+
+
+def test_toml_gives_back_the_same_scene(ring: lp.Scene, tmp_path: Path) -> None:
+    ring.heat.boundaries[0].ambient = ((0, 1), (2, 3))
+    ring.bodies[0].motion = lp.Rotation(revolutions_per_second=0.25)
+    ring.save(str(tmp_path / "ring.toml"))
+    loaded = lp.Scene.load(str(tmp_path / "ring.toml"))
+    assert loaded == ring
+    assert pickle.loads(pickle.dumps(loaded)) == ring
+    assert copy.deepcopy(loaded) == ring
+
+
+def test_a_wrong_file_names_file_line_and_key(tmp_path: Path) -> None:
+    path = tmp_path / "wrong.toml"
+    path.write_text("[grid]\nlower = [0]\nupper = [1]\ncel = 0.1\n")
+    with pytest.raises(ValueError, match=r"wrong\.toml:4:1: grid\.cel .*did you mean 'cell'"):
+        lp.Scene.load(str(path))
+
+
+def test_a_function_is_kept_but_not_written(ring: lp.Scene) -> None:
+    ring.heat.boundaries[0].ambient = linear
+    assert ring.heat.boundaries[0].ambient is linear
+    with pytest.raises(ValueError, match=r"heat\.boundaries\.0\.ambient .* function"):
+        ring.to_toml()
+    changed = ring.set("grid.cell=0.5")
+    assert changed.heat.boundaries[0].ambient is linear
+    assert pickle.loads(pickle.dumps(changed)).heat.boundaries[0].ambient is linear
+
+
+def test_set_gives_a_changed_copy(ring: lp.Scene) -> None:
+    before = ring.grid.cell
+    assert ring.set("grid.cell=0.25").grid.cell == 0.25
+    assert ring.grid.cell == before
+    with pytest.raises(ValueError, match=r"grid\.cel"):
+        ring.set("grid.cel=0.25")
+    with pytest.raises(ValueError, match="above 0"):
+        ring.set("grid.cell=-1")
+
+
+@pytest.mark.parametrize(
+    ("make", "says"),
+    [
+        (lambda: lp.Body(shape=3, material=SOLID), "shape must be a shape such as Box or Disk, got 3"),
+        (lambda: lp.Grid(lower=(1, 2, 3, 4), upper=(5,), cell=1), "lower must hold 1 to 3 entries"),
+        (lambda: lp.Heat(transfer="flp"), "unknown Heat.transfer 'flp'; did you mean 'flip'"),
+        (lambda: lp.Union(shapes=[lp.Disk(radius=1), 3]), r"Union.shapes\[1\] must be a shape"),
+        (lambda: lp.Flux(value="x"), "value must be a number, a Table, a pair"),
+        (lambda: lp.Flux(value=([0, 0], [1, 2])), "needs times that increase"),
+        (lambda: lp.Time(end=1, step="automatic"), "step must be a number"),
+        (lambda: lp.Heat(boundaries=[lp.Disk(radius=1)]), r"boundaries\[0\] must be Flux \| "),
+    ],
+)
+def test_a_wrong_member_is_named(make, says: str) -> None:
+    with pytest.raises((TypeError, ValueError), match=says):
+        make()
+
+
+def test_auto_is_the_word_for_an_automatic_step() -> None:
+    assert lp.Time(end=1).step == "auto"
+    assert lp.Time(end=1, step="auto") == lp.Time(end=1)
+    assert lp.Time(end=1, step=0.1).step == 0.1
+
+
+def test_points_come_from_arrays() -> None:
+    body = lp.Body(points=(np.zeros((3, 2)), np.ones(3)), material=SOLID)
+    assert len(body.points) == 3
+    assert body.points == lp.Points(np.zeros((3, 2)), np.ones(3))
+    with pytest.raises(ValueError, match="one number a point"):
+        lp.Points(np.zeros((3, 2)), np.ones(2))
+
+
+def test_shapes_nest_and_tell_distances() -> None:
+    washer = lp.Difference(shape=lp.Disk(radius=2), minus=lp.Disk(radius=1))
+    assert isinstance(washer, lp.Shape)
+    distances = washer.distance(np.array([[0.0, 0.0], [1.5, 0.0], [3.0, 0.0]]))
+    np.testing.assert_allclose(distances, [1.0, -0.5, 1.0])
