@@ -43,9 +43,12 @@ py::array_t<double> distances(const py::object& given, const Numbers& positions)
 }  // namespace
 
 void bind_geometry(py::module_& module) {
-  py::class_<AnyShape>(
-      module, "Shape",
-      "Any shape. Scenes of one or two dimensions leave out the last coordinates.");
+  py::class_<AnyShape>(module, "Shape",
+                       "Any shape. Scenes of one or two dimensions leave out the last coordinates.")
+      .def("distance", &distances, py::arg("positions"),
+           "distance(self: lapilli._core.Shape, positions: numpy.typing.ArrayLike) -> "
+           "numpy.typing.NDArray[numpy.float64]\n\nSigned distance of positions (n, dimension) to "
+           "the surface, negative inside, m.");
   bind_struct<Box>(
       module, "Box",
       "Interval, rectangle or box with sides along the axes; endless along axes beyond "

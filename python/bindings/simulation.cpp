@@ -1,27 +1,23 @@
 #include "simulation.hpp"
 
-#include <algorithm>
-#include <numeric>
-
 #include <pybind11/stl.h>
-#include "bindings.hpp"
 
+#include "bindings.hpp"
 #include "convert_scene.hpp"
 #include "lapilli/scene/build.hpp"
 
 namespace lapilli::python {
 namespace {
 
-using Numbers = py::array_t<double>;
-
 /// A view of `rows` x `components` numbers that keeps `owner` alive; users may not write to it,
 /// because what a physics evolves need not be what it shows.
-Numbers view(const py::object& owner, std::span<const double> values, Index rows, int components) {
+py::array_t<double> view(const py::object& owner, std::span<const double> values, Index rows,
+                         int components) {
   std::vector<py::ssize_t> shape = {rows};
   if (components > 1) {
     shape.push_back(components);
   }
-  Numbers array(shape, values.data(), owner);
+  py::array_t<double> array(shape, values.data(), owner);
   array.attr("flags").attr("writeable") = false;
   return array;
 }
