@@ -28,6 +28,18 @@ bool equal(const py::object& of, const py::object& other, const std::vector<std:
 
 }  // namespace
 
+std::string plain_class_name(const std::type_info& type) {
+  std::string name = type.name();
+  py::detail::clean_type_id(name);
+  name = name.substr(name.rfind(':') + 1);
+  for (const std::string ending : {"Settings", "Motion"}) {
+    if (name.size() > ending.size() && name.ends_with(ending)) {
+      name.resize(name.size() - ending.size());
+    }
+  }
+  return name;
+}
+
 void bind_object_protocol(const py::object& bound, const std::string& name,
                           const std::vector<std::string>& members, const py::dict& defaults) {
   const std::string self = "(self: lapilli._core." + name;

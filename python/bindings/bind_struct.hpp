@@ -49,7 +49,26 @@ struct Extras {
 };
 
 template <class T>
+bool is_bound() {
+  return py::detail::get_type_info(typeid(Record<T>)) != nullptr;
+}
+
+/// The module that classes are bound into.
+py::module_& core_module();
+
+/// "Annulus" for a struct of the library: without namespace, "Settings" and the like.
+std::string plain_class_name(const std::type_info& type);
+
+template <class T>
+auto bind_struct(py::module_& module, const char* name, const std::string& summary);
+
+/// The name of the Python class of T; one that no file binds is bound here, under its own name.
+template <class T>
 std::string class_name() {
+  if (!is_bound<T>()) {
+    const std::string name = plain_class_name(typeid(T));
+    bind_struct<T>(core_module(), name.c_str(), name + ".");
+  }
   return std::string(py::str(py::type::of<Record<T>>().attr("__name__")));
 }
 

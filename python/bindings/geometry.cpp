@@ -62,6 +62,10 @@ void bind_geometry(py::module_& module) {
   bind_struct<Cylinder>(module, "Cylinder", "Cylinder with flat ends, from start to end.");
   bind_struct<Polygon>(module, "Polygon",
                        "Polygon in the x-y plane, convex or not; endless along z.");
+  bind_struct<Mesh>(module, "Mesh", "What lies inside a closed surface of triangles.");
+  bind_struct<ImageMask>(module, "Image",
+                         "The bright (or dark) pixels of an image, in the x-y plane; endless along "
+                         "z.");
   bind_struct<Union>(module, "Union", "What lies in any of the shapes.");
   bind_struct<Intersection>(module, "Intersection", "What lies in all of the shapes.");
   bind_struct<Difference>(module, "Difference", "What lies in one shape and not in another.");

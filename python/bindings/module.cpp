@@ -1,4 +1,16 @@
+#include "bind_struct.hpp"
 #include "bindings.hpp"
+
+namespace lapilli::python {
+namespace {
+
+py::module_* being_bound = nullptr;
+
+}  // namespace
+
+py::module_& core_module() { return *being_bound; }
+
+}  // namespace lapilli::python
 
 PYBIND11_MODULE(_core, module) {
   // Signatures are written out where they are bound, in Python's own type names.
@@ -8,6 +20,7 @@ PYBIND11_MODULE(_core, module) {
   module.attr("__version__") = LAPILLI_VERSION;
 
   using namespace lapilli::python;
+  being_bound = &module;
   bind_core(module);
   bind_geometry(module);
   bind_materials(module);

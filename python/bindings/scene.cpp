@@ -109,13 +109,12 @@ void Extras<Scene>::show(const Scene& scene, py::dict& attributes) {
 
 void bind_scene(py::module_& module) {
   bind_places(module);
-  bind_struct<RotationMotion>(module, "Rotation", "A body turned at constant speed.");
-  bind_struct<TranslationMotion>(module, "Translation", "A body moved at constant velocity.");
-  bind_struct<ImageSource>(module, "Image", "A picture whose dark pixels are the body.");
-  bind_struct<Body>(
-      module, "Body",
-      "A body: where its points come from (one of shape, image, points_file, points), "
-      "what it is made of, how it starts and how it is moved.");
+  bind_struct<Rotation>(module, "Rotation", "A body turned at constant speed.");
+  bind_struct<Translation>(module, "Translation", "A body moved at constant velocity.");
+  bind_struct<Swirl>(module, "Swirl", "Circles that turn at their own speeds.");
+  bind_struct<Body>(module, "Body",
+                    "A body: where its points come from (one of shape, points_file, points), "
+                    "what it is made of, how it starts and how it is moved.");
   bind_struct<GridSettings>(module, "Grid",
                             "The background grid; its corners give the dimension of the scene.");
   bind_struct<TimeSettings>(module, "Time", "When the run ends and how its steps are chosen.");
