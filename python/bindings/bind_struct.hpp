@@ -113,9 +113,10 @@ py::object checked(const Where& where, py::handle given) {
   if constexpr (!Convert<Member>::keeps_object) {
     return Convert<Member>::show(where.key, value);
   } else {
-    const bool sequence = PyList_Check(given.ptr()) || PyTuple_Check(given.ptr());
-    return sequence ? py::object(py::list(py::reinterpret_borrow<py::object>(given)))
-                    : py::reinterpret_borrow<py::object>(given);
+    if (PyList_Check(given.ptr()) || PyTuple_Check(given.ptr())) {
+      return py::reinterpret_steal<py::object>(PySequence_List(given.ptr()));
+    }
+    return py::reinterpret_borrow<py::object>(given);
   }
 }
 

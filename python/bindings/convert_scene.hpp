@@ -9,7 +9,7 @@ namespace lapilli::python {
 /// A pair (positions (n, dim), volumes (n,)) or a lapilli.Points.
 template <>
 struct Convert<GivenPoints> {
-  static constexpr bool keeps_object = true;
+  static constexpr bool keeps_object = false;
   static std::string type_name() { return "Points"; }
   static void load(const Where& where, py::handle given, GivenPoints& member);
   static py::object show(const Key& key, const GivenPoints& member);

@@ -6,7 +6,7 @@ import os
 # NumPy's own threads, keep their processors. Read once, when the compiled module loads.
 os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
-from lapilli._core import (  # noqa: E402
+from lapilli._core import (
     Annulus,
     Body,
     Box,
@@ -46,8 +46,8 @@ from lapilli._core import (  # noqa: E402
     set_thread_count,
     thread_count,
 )
-from lapilli.frames import Frames  # noqa: E402
-from lapilli.result import Result, run  # noqa: E402
+from lapilli.frames import Frames
+from lapilli.result import Result, run
 
 __all__ = [
     "Annulus",
@@ -71,9 +71,9 @@ __all__ = [
     "Points",
     "Polygon",
     "Radiation",
+    "Result",
     "Rotated",
     "Rotation",
-    "Result",
     "RunError",
     "Scene",
     "Shape",

@@ -94,7 +94,11 @@ def _summary() -> str:
 def _scene_arguments(command: argparse.ArgumentParser) -> None:
     command.add_argument("scene", help="scene file (TOML)")
     command.add_argument(
-        "--set", action="append", default=[], metavar="PATH=VALUE", dest="changes",
+        "--set",
+        action="append",
+        default=[],
+        metavar="PATH=VALUE",
+        dest="changes",
         help="change one member of the scene: grid.cell=0.05; may be repeated",
     )
 
@@ -110,11 +114,16 @@ def _add_tradeoff(commands: argparse._SubParsersAction[Parser]) -> None:
     tradeoff = commands.add_parser("tradeoff", help="measure error against cost")
     _scene_arguments(tradeoff)
     tradeoff.add_argument(
-        "--vary", action="append", required=True, metavar="PATH=A,B,...",
+        "--vary",
+        action="append",
+        required=True,
+        metavar="PATH=A,B,...",
         help="values of one member to try; may be repeated",
     )
     tradeoff.add_argument(
-        "--reference", required=True, metavar="WHAT",
+        "--reference",
+        required=True,
+        metavar="WHAT",
         help="radial, slab, finer:grid.cell=0.05, a .vtkhdf file, or module:function",
     )
     tradeoff.add_argument("--times", metavar="S,S,...", help="the end unless given")
@@ -122,7 +131,9 @@ def _add_tradeoff(commands: argparse._SubParsersAction[Parser]) -> None:
     tradeoff.add_argument("--repeats", type=_count, default=3)
     tradeoff.add_argument("--workers", type=_count, default=1, help="runs at once")
     tradeoff.add_argument("--threads", type=_count, default=1, help="threads of each run")
-    tradeoff.add_argument("--target-error", type=float, metavar="E", help="name the cheapest within")
+    tradeoff.add_argument(
+        "--target-error", type=float, metavar="E", help="name the cheapest within"
+    )
     tradeoff.add_argument("--budget", type=float, metavar="S", help="name the best within CPU s")
     tradeoff.add_argument(
         "--output", metavar="NAME", help="NAME.csv, .json, .png, .jsonl; the scene's unless given"
@@ -156,7 +167,11 @@ def run_command(given: argparse.Namespace) -> int:
     scene = load(given)
     output = given.output or scene.output.path or Path(given.scene).stem + ".vtkhdf"
     result = run(
-        scene, output, given.every, threads=given.threads, progress=not given.quiet,
+        scene,
+        output,
+        given.every,
+        threads=given.threads,
+        progress=not given.quiet,
         resume=given.resume,
     )
     if not given.quiet:

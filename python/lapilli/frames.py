@@ -1,4 +1,4 @@
-"""Read the frames of a run with h5py: the index and the data files it points to, or a merged file."""
+"""Read the frames of a run with h5py: index and data files, or a merged file."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ class Frame:
         return f"<frame {self.number} at {self.time:g} s>"
 
     def __getitem__(self, name: str) -> Array:
-        """A field, one row a point."""
+        """A field, one row a point in the order of the points' ids."""
         return self._read(name)
 
     @property
     def position(self) -> npt.NDArray[np.float64]:
-        """Positions (points, 3), m; scenes of fewer dimensions have zeros."""
+        """Positions (points, 3) in the order of ids, m; scenes of fewer dimensions have zeros."""
         return self._read("position")
 
     def _read(self, name: str) -> Array:
@@ -43,8 +43,10 @@ class Frame:
                 values, first = root["Points"], int(steps["PointOffsets"][self.number])
             else:
                 if name not in root["PointData"]:
-                    raise KeyError(f"no field {name!r} in {self._path}; there is: "
-                                   + ", ".join(root["PointData"]))
+                    raise KeyError(
+                        f"no field {name!r} in {self._path}; there is: "
+                        + ", ".join(root["PointData"])
+                    )
                 values = root["PointData"][name]
                 first = int(steps["PointDataOffsets"][name][self.number])
             array: Array = values[first : first + rows]

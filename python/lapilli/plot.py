@@ -59,8 +59,15 @@ def draw_frame(
         axes.set_ylabel("y (m)")
     low, high = limits if limits is not None else (None, None)
     drawn = axes.scatter(
-        position[:, 0], position[:, 1], c=values, s=_dot_size(axes, position), vmin=low, vmax=high,
-        cmap="inferno", linewidths=0, marker="s",
+        position[:, 0],
+        position[:, 1],
+        c=values,
+        s=_dot_size(axes, position),
+        vmin=low,
+        vmax=high,
+        cmap="inferno",
+        linewidths=0,
+        marker="s",
     )
     axes.set_aspect("equal")
     return drawn
@@ -99,6 +106,7 @@ def animate(
     import matplotlib.pyplot as plt
     from matplotlib.animation import FuncAnimation, PillowWriter
 
+    save = Path(save)
     frames = source if isinstance(source, Frames) else Frames(source)
     field = field or default_field(frames)
     ends = [scalar(frame[field]) for frame in (frames[0], frames[len(frames) // 2], frames[-1])]
@@ -113,18 +121,17 @@ def animate(
         return [draw_frame(axes, frames[number], field, limits)]
 
     animation = FuncAnimation(figure, show, frames=len(frames))
-    writer: Any = frames_per_second
-    if Path(save).suffix.lower() == ".gif":
+    if save.suffix.lower() == ".gif":
         animation.save(save, writer=PillowWriter(fps=frames_per_second))
     else:
-        animation.save(save, fps=writer)
+        animation.save(save, fps=frames_per_second)
     plt.close(figure)
 
 
 def _dot_size(axes: Axes, position: np.ndarray[Any, Any]) -> float:
     """Area of a dot (points^2) such that a filled body shows no gaps."""
     span = np.ptp(position[:, :2], axis=0)
-    figure = axes.get_figure()
+    figure = axes.get_figure(root=True)
     assert figure is not None
     width, height = figure.get_size_inches()
     per_metre = 72 * 0.75 * min(width / max(span[0], 1e-300), height / max(span[1], 1e-300))

@@ -1,7 +1,8 @@
 """Objects that several tests need."""
 
-import lapilli as lp
 import pytest
+
+import lapilli as lp
 
 
 @pytest.fixture

@@ -28,7 +28,7 @@ class Row:
 
 @dataclass(frozen=True, kw_only=True)
 class Case:
-    """A case of a paper: `run(quick)` computes its rows, `plot(folder, quick)` draws its figures."""
+    """A case of a paper: `run(quick)` computes rows, `plot(folder, quick)` draws figures."""
 
     name: str  # "vhfm/ring"
     title: str

@@ -29,10 +29,16 @@ def draw(table: Table, path: str | os.PathLike[str] | None = None) -> Figure:
             series.setdefault(rest, []).append(point)
     front = [(cost_of(row), max(error_of(row), 1e-16)) for row in table.front]
     if front:
-        axes.step(*zip(*front, strict=True), where="post", color="0.8", lw=6, zorder=0,
-                  label="Pareto front")
+        axes.step(
+            *zip(*front, strict=True),
+            where="post",
+            color="0.8",
+            lw=6,
+            zorder=0,
+            label="Pareto front",
+        )
     for number, (rest, points) in enumerate(series.items()):
-        cost, error, labels = zip(*points, strict=True)
+        cost, error, _ = zip(*points, strict=True)
         marker = MARKERS[number % len(MARKERS)]
         axes.plot(cost, error, marker=marker, lw=1, label=str(rest) or None)
         for x, y, label in points:
@@ -47,8 +53,13 @@ def draw(table: Table, path: str | os.PathLike[str] | None = None) -> Figure:
         axes.legend(fontsize=7)
     failed = sum(row.error is None for row in table.rows)
     if failed:
-        axes.text(0.01, 0.01, f"not shown: {failed} unstable or refused", fontsize=7,
-                  transform=axes.transAxes)
+        axes.text(
+            0.01,
+            0.01,
+            f"not shown: {failed} unstable or refused",
+            fontsize=7,
+            transform=axes.transAxes,
+        )
     if path is not None:
         figure.savefig(path, dpi=150)
     plt.close(figure)

@@ -61,7 +61,7 @@ def interpolate(known: Array, values: Array, wanted: Array) -> Array:
     distances, neighbours = cKDTree(known).query(wanted, k=count)
     distances, neighbours = distances.reshape(-1, count), neighbours.reshape(-1, count)
     reach = distances[:, -1:] * (1 + 1e-6) + 1e-300
-    weights = (1 - (distances / reach) ** 2) ** 2 + 1e-9
+    weights = (1 - (distances / reach) ** 2) ** 2 + 1e-3
     offsets = (known[neighbours] - wanted[:, None, :]) / reach[:, :, None]
     basis = np.concatenate([np.ones((*offsets.shape[:2], 1)), offsets], axis=2)
     normal = np.einsum("nki,nk,nkj->nij", basis, weights, basis)
@@ -118,11 +118,15 @@ def reference_of(
         return FunctionReference(given)
     text = os.fspath(given)
     if text in SHIPPED:
-        return shipped(text, scene)
+        truth: Reference = shipped(text, scene)
+        return truth
     if text.startswith("finer:"):
         changes = [parse_variation(change) for change in text[6:].split(";")]
         return from_finer_run(
-            scene, Setting(tuple((path, ",".join(values)) for path, values in changes)), field, times
+            scene,
+            Setting(tuple((path, ",".join(values)) for path, values in changes)),
+            field,
+            times,
         )
     if Path(text).suffix == ".vtkhdf":
         return from_frames(text, field)

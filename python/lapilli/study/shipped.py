@@ -103,10 +103,10 @@ def slab(scene: Scene) -> BoxReference:
     if len(boundaries) != 1 or not isinstance(boundaries[0], lp.Convection) or boundaries[0].region:
         raise ValueError("reference slab: heat.boundaries must be one convection over all faces")
     centre = (lower + upper) / 2
-    for pivot in (body.rotation_center, getattr(body.motion, "center", ())):
-        if not np.allclose(np.resize(pivot or (0.0,), len(centre)), centre, atol=1e-12):
-            if body.rotation or body.motion:
-                raise ValueError("reference slab: the box must turn about its centre")
+    pivots = (body.rotation_center, getattr(body.motion, "center", ()))
+    fixed = all(np.allclose(np.resize(p or (0.0,), len(centre)), centre) for p in pivots)
+    if not fixed and (body.rotation or body.motion):
+        raise ValueError("reference slab: the box must turn about its centre")
     law = boundaries[0]
     return BoxReference(
         centre,

@@ -124,7 +124,9 @@ def with_front(rows: Sequence[Row]) -> list[Row]:
     """Mark the rows that no other row beats in both error and cost."""
     best = float("inf")
     on_front = set()
-    for row in sorted((r for r in rows if r.error is not None), key=lambda r: (cost_of(r), r.error)):
+    for row in sorted(
+        (r for r in rows if r.error is not None), key=lambda r: (cost_of(r), r.error)
+    ):
         if error_of(row) < best:
             best = error_of(row)
             on_front.add(row.setting)

@@ -4,10 +4,10 @@ import copy
 import pickle
 from pathlib import Path
 
-import lapilli as lp
 import numpy as np
 import pytest
 
+import lapilli as lp
 
 SOLID = lp.Thermal(density=1, specific_heat=1, conductivity=1)
 
@@ -72,7 +72,10 @@ def test_set_gives_a_changed_copy(ring: lp.Scene) -> None:
 @pytest.mark.parametrize(
     ("make", "says"),
     [
-        (lambda: lp.Body(shape=3, material=SOLID), "shape must be a shape such as Box or Disk, got 3"),
+        (
+            lambda: lp.Body(shape=3, material=SOLID),
+            "shape must be a shape such as Box or Disk, got 3",
+        ),
         (lambda: lp.Grid(lower=(1, 2, 3, 4), upper=(5,), cell=1), "lower must hold 1 to 3 entries"),
         (lambda: lp.Heat(transfer="flp"), "unknown Heat.transfer 'flp'; did you mean 'flip'"),
         (lambda: lp.Union(shapes=[lp.Disk(radius=1), 3]), r"Union.shapes\[1\] must be a shape"),

@@ -4,8 +4,9 @@ import copy
 import math
 import pickle
 
-import lapilli as lp
 import pytest
+
+import lapilli as lp
 
 
 def test_arguments_become_attributes(steel: lp.Thermal) -> None:
@@ -17,7 +18,9 @@ def test_repr_reads_as_the_call_that_makes_it(steel: lp.Thermal) -> None:
     assert eval(repr(steel), {"Thermal": lp.Thermal}) == steel
 
 
-@pytest.mark.parametrize("duplicate", [copy.copy, copy.deepcopy, lambda x: pickle.loads(pickle.dumps(x))])
+@pytest.mark.parametrize(
+    "duplicate", [copy.copy, copy.deepcopy, lambda x: pickle.loads(pickle.dumps(x))]
+)
 def test_copies_are_equal_and_independent(steel: lp.Thermal, duplicate) -> None:
     other = duplicate(steel)
     assert other == steel
@@ -69,7 +72,9 @@ def test_a_tensor_is_a_number_or_six(steel: lp.Thermal) -> None:
 def test_the_docstring_lists_units_and_ranges() -> None:
     text = lp.Thermal.__doc__
     assert text is not None
-    assert "density : float, kg/m3, required\n    mass per undeformed volume; above 0 (kg/m3)" in text
+    assert (
+        "density : float, kg/m3, required\n    mass per undeformed volume; above 0 (kg/m3)" in text
+    )
 
 
 def test_a_table_is_linear_between_its_times_and_constant_outside() -> None:
@@ -80,7 +85,11 @@ def test_a_table_is_linear_between_its_times_and_constant_outside() -> None:
 
 @pytest.mark.parametrize(
     ("times", "values", "says"),
-    [([], [], "without times"), ([0, 1], [1], "got 1 and 2"), ([0, 0], [1, 2], "times that increase")],
+    [
+        ([], [], "without times"),
+        ([0, 1], [1], "got 1 and 2"),
+        ([0, 0], [1, 2], "times that increase"),
+    ],
 )
 def test_a_table_that_is_none_is_refused(times, values, says: str) -> None:
     with pytest.raises(ValueError, match=says):

@@ -1,0 +1,2038 @@
+"""
+The compiled part of lapilli.
+"""
+from __future__ import annotations
+import collections.abc
+import numpy
+import numpy.typing
+import typing
+__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Flux', 'Grid', 'HalfSpace', 'Heat', 'Image', 'Intersection', 'Ledger', 'Mesh', 'Output', 'OutputError', 'Points', 'Polygon', 'Progress', 'Radiation', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'Swirl', 'Table', 'Temperature', 'Thermal', 'Time', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
+class RunError(RuntimeError):
+    """
+    A run that went wrong; the message names step, time, point, field and likely cause.
+    """
+class Table:
+    """
+    A number tabulated in time: linear between the times, constant outside them.
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    @staticmethod
+    def __getstate__(*args: typing.Any, **kwargs: typing.Any) -> typing.Any:
+        ...
+    @staticmethod
+    def __setstate__(*args: typing.Any, **kwargs: typing.Any) -> typing.Any:
+        ...
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __init__(self, times: collections.abc.Sequence[float], values: collections.abc.Sequence[float]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def at(self, time: float) -> float:
+        """
+        The value at one time.
+        """
+    @property
+    def times(self) -> tuple[float, ...]:
+        """
+        times in s, increasing
+        """
+    @property
+    def values(self) -> tuple[float, ...]:
+        """
+        the values at these times
+        """
+class Shape:
+    """
+    Any shape. Scenes of one or two dimensions leave out the last coordinates.
+    """
+    def distance(self, positions: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Signed distance of positions (n, dimension) to the surface, negative inside, m.
+        """
+class Box(Shape):
+    """
+    Interval, rectangle or box with sides along the axes; endless along axes beyond the given numbers.
+    
+    Parameters
+    ----------
+    lower : collections.abc.Sequence[float], m, required
+        corner with the least coordinates
+    upper : collections.abc.Sequence[float], m, required
+        corner with the largest coordinates
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, lower: collections.abc.Sequence[float], upper: collections.abc.Sequence[float]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def lower(self) -> collections.abc.Sequence[float]:
+        """
+        corner with the least coordinates, m
+        """
+    @lower.setter
+    def lower(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def upper(self) -> collections.abc.Sequence[float]:
+        """
+        corner with the largest coordinates, m
+        """
+    @upper.setter
+    def upper(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+class HalfSpace(Shape):
+    """
+    Everything on the side of a plane that its normal points away from.
+    
+    Parameters
+    ----------
+    point : collections.abc.Sequence[float], m, required
+        any point of the plane
+    normal : collections.abc.Sequence[float], required
+        direction pointing out of the half-space
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, point: collections.abc.Sequence[float], normal: collections.abc.Sequence[float]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def normal(self) -> collections.abc.Sequence[float]:
+        """
+        direction pointing out of the half-space
+        """
+    @normal.setter
+    def normal(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def point(self) -> collections.abc.Sequence[float]:
+        """
+        any point of the plane, m
+        """
+    @point.setter
+    def point(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+class Disk(Shape):
+    """
+    Disk in the x-y plane; endless along z.
+    
+    Parameters
+    ----------
+    center : collections.abc.Sequence[float], m, default (0.0, 0.0)
+        centre
+    radius : float, m, required
+        radius; above 0 (m)
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, center: collections.abc.Sequence[float] = ..., radius: float) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def center(self) -> collections.abc.Sequence[float]:
+        """
+        centre, m
+        """
+    @center.setter
+    def center(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def radius(self) -> float:
+        """
+        radius, m
+        """
+    @radius.setter
+    def radius(self, value: float) -> None:
+        ...
+class Annulus(Shape):
+    """
+    Ring between two circles in the x-y plane; endless along z.
+    
+    Parameters
+    ----------
+    center : collections.abc.Sequence[float], m, default (0.0, 0.0)
+        centre
+    inner : float, m, required
+        radius of the hole; above 0 (m)
+    outer : float, m, required
+        radius of the rim; above 0 (m)
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, center: collections.abc.Sequence[float] = ..., inner: float, outer: float) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def center(self) -> collections.abc.Sequence[float]:
+        """
+        centre, m
+        """
+    @center.setter
+    def center(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def inner(self) -> float:
+        """
+        radius of the hole, m
+        """
+    @inner.setter
+    def inner(self, value: float) -> None:
+        ...
+    @property
+    def outer(self) -> float:
+        """
+        radius of the rim, m
+        """
+    @outer.setter
+    def outer(self, value: float) -> None:
+        ...
+class Sphere(Shape):
+    """
+    Ball.
+    
+    Parameters
+    ----------
+    center : collections.abc.Sequence[float], m, default (0.0, 0.0, 0.0)
+        centre
+    radius : float, m, required
+        radius; above 0 (m)
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, center: collections.abc.Sequence[float] = ..., radius: float) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def center(self) -> collections.abc.Sequence[float]:
+        """
+        centre, m
+        """
+    @center.setter
+    def center(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def radius(self) -> float:
+        """
+        radius, m
+        """
+    @radius.setter
+    def radius(self, value: float) -> None:
+        ...
+class Cylinder(Shape):
+    """
+    Cylinder with flat ends, from start to end.
+    
+    Parameters
+    ----------
+    start : collections.abc.Sequence[float], m, required
+        centre of one end
+    end : collections.abc.Sequence[float], m, required
+        centre of the other end
+    radius : float, m, required
+        radius; above 0 (m)
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, start: collections.abc.Sequence[float], end: collections.abc.Sequence[float], radius: float) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def end(self) -> collections.abc.Sequence[float]:
+        """
+        centre of the other end, m
+        """
+    @end.setter
+    def end(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def radius(self) -> float:
+        """
+        radius, m
+        """
+    @radius.setter
+    def radius(self, value: float) -> None:
+        ...
+    @property
+    def start(self) -> collections.abc.Sequence[float]:
+        """
+        centre of one end, m
+        """
+    @start.setter
+    def start(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+class Polygon(Shape):
+    """
+    Polygon in the x-y plane, convex or not; endless along z.
+    
+    Parameters
+    ----------
+    vertices : collections.abc.Sequence[collections.abc.Sequence[float]], m, required
+        corners in order, the last joins the first
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, vertices: collections.abc.Sequence[collections.abc.Sequence[float]]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def vertices(self) -> collections.abc.Sequence[collections.abc.Sequence[float]]:
+        """
+        corners in order, the last joins the first, m
+        """
+    @vertices.setter
+    def vertices(self, value: collections.abc.Sequence[collections.abc.Sequence[float]]) -> None:
+        ...
+class Mesh(Shape):
+    """
+    What lies inside a closed surface of triangles.
+    
+    Parameters
+    ----------
+    file : str, default ''
+        STL file of a closed surface, binary or text
+    scale : float, m, default 1.0
+        length of one unit of the file; above 0 (m)
+    vertices : collections.abc.Sequence[collections.abc.Sequence[float]], default ()
+        corners, where no file is given
+    triangles : collections.abc.Sequence[collections.abc.Sequence[int]], default ()
+        rows of three vertices, counted from 0
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, file: str = ..., scale: float = ..., vertices: collections.abc.Sequence[collections.abc.Sequence[float]] = ..., triangles: collections.abc.Sequence[collections.abc.Sequence[int]] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def file(self) -> str:
+        """
+        STL file of a closed surface, binary or text
+        """
+    @file.setter
+    def file(self, value: str) -> None:
+        ...
+    @property
+    def scale(self) -> float:
+        """
+        length of one unit of the file, m
+        """
+    @scale.setter
+    def scale(self, value: float) -> None:
+        ...
+    @property
+    def triangles(self) -> collections.abc.Sequence[collections.abc.Sequence[int]]:
+        """
+        rows of three vertices, counted from 0
+        """
+    @triangles.setter
+    def triangles(self, value: collections.abc.Sequence[collections.abc.Sequence[int]]) -> None:
+        ...
+    @property
+    def vertices(self) -> collections.abc.Sequence[collections.abc.Sequence[float]]:
+        """
+        corners, where no file is given
+        """
+    @vertices.setter
+    def vertices(self, value: collections.abc.Sequence[collections.abc.Sequence[float]]) -> None:
+        ...
+class Image(Shape):
+    """
+    The bright (or dark) pixels of an image, in the x-y plane; endless along z.
+    
+    Parameters
+    ----------
+    file : str, default ''
+        PGM or PPM image
+    values : collections.abc.Sequence[collections.abc.Sequence[float]], default ()
+        brightness 0 to 1, rows from the top, where no file is given
+    pixel : float, m, required
+        side of a pixel; above 0 (m)
+    origin : collections.abc.Sequence[float], m, default (0.0, 0.0)
+        lower left corner of the image
+    threshold : float, default 0.5
+        brightness from which a pixel is inside; from 0 to 1
+    dark : bool, default False
+        pixels below the threshold are inside instead
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, file: str = ..., values: collections.abc.Sequence[collections.abc.Sequence[float]] = ..., pixel: float, origin: collections.abc.Sequence[float] = ..., threshold: float = ..., dark: bool = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def dark(self) -> bool:
+        """
+        pixels below the threshold are inside instead
+        """
+    @dark.setter
+    def dark(self, value: bool) -> None:
+        ...
+    @property
+    def file(self) -> str:
+        """
+        PGM or PPM image
+        """
+    @file.setter
+    def file(self, value: str) -> None:
+        ...
+    @property
+    def origin(self) -> collections.abc.Sequence[float]:
+        """
+        lower left corner of the image, m
+        """
+    @origin.setter
+    def origin(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def pixel(self) -> float:
+        """
+        side of a pixel, m
+        """
+    @pixel.setter
+    def pixel(self, value: float) -> None:
+        ...
+    @property
+    def threshold(self) -> float:
+        """
+        brightness from which a pixel is inside
+        """
+    @threshold.setter
+    def threshold(self, value: float) -> None:
+        ...
+    @property
+    def values(self) -> collections.abc.Sequence[collections.abc.Sequence[float]]:
+        """
+        brightness 0 to 1, rows from the top, where no file is given
+        """
+    @values.setter
+    def values(self, value: collections.abc.Sequence[collections.abc.Sequence[float]]) -> None:
+        ...
+class Union(Shape):
+    """
+    What lies in any of the shapes.
+    
+    Parameters
+    ----------
+    shapes : list[Shape], required
+        shapes that are joined
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, shapes: list[Shape]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def shapes(self) -> list[Shape]:
+        """
+        shapes that are joined
+        """
+    @shapes.setter
+    def shapes(self, value: list[Shape]) -> None:
+        ...
+class Intersection(Shape):
+    """
+    What lies in all of the shapes.
+    
+    Parameters
+    ----------
+    shapes : list[Shape], required
+        shapes whose common part is taken
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, shapes: list[Shape]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def shapes(self) -> list[Shape]:
+        """
+        shapes whose common part is taken
+        """
+    @shapes.setter
+    def shapes(self, value: list[Shape]) -> None:
+        ...
+class Difference(Shape):
+    """
+    What lies in one shape and not in another.
+    
+    Parameters
+    ----------
+    shape : Shape, required
+        shape that is cut
+    minus : Shape, required
+        shape that is taken away
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, shape: Shape, minus: Shape) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def minus(self) -> Shape:
+        """
+        shape that is taken away
+        """
+    @minus.setter
+    def minus(self, value: Shape) -> None:
+        ...
+    @property
+    def shape(self) -> Shape:
+        """
+        shape that is cut
+        """
+    @shape.setter
+    def shape(self, value: Shape) -> None:
+        ...
+class Rotated(Shape):
+    """
+    A shape turned about an axis by the right-hand rule; in two dimensions anticlockwise.
+    
+    Parameters
+    ----------
+    shape : Shape, required
+        shape that is turned
+    degrees : float, degree, required
+        angle, anticlockwise
+    center : collections.abc.Sequence[float], m, default ()
+        point that stays; empty: the origin
+    axis : collections.abc.Sequence[float], default (0.0, 0.0, 1.0)
+        direction that stays, in three dimensions
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, shape: Shape, degrees: float, center: collections.abc.Sequence[float] = ..., axis: collections.abc.Sequence[float] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def axis(self) -> collections.abc.Sequence[float]:
+        """
+        direction that stays, in three dimensions
+        """
+    @axis.setter
+    def axis(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def center(self) -> collections.abc.Sequence[float]:
+        """
+        point that stays; empty: the origin, m
+        """
+    @center.setter
+    def center(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def degrees(self) -> float:
+        """
+        angle, anticlockwise, degree
+        """
+    @degrees.setter
+    def degrees(self, value: float) -> None:
+        ...
+    @property
+    def shape(self) -> Shape:
+        """
+        shape that is turned
+        """
+    @shape.setter
+    def shape(self, value: Shape) -> None:
+        ...
+class Translated(Shape):
+    """
+    A shape moved without turning.
+    
+    Parameters
+    ----------
+    shape : Shape, required
+        shape that is moved
+    by : collections.abc.Sequence[float], m, required
+        displacement
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, shape: Shape, by: collections.abc.Sequence[float]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def by(self) -> collections.abc.Sequence[float]:
+        """
+        displacement, m
+        """
+    @by.setter
+    def by(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def shape(self) -> Shape:
+        """
+        shape that is moved
+        """
+    @shape.setter
+    def shape(self, value: Shape) -> None:
+        ...
+class Thermal:
+    """
+    A solid that stores and conducts heat (Fourier), with constant coefficients.
+    
+    Parameters
+    ----------
+    density : float, kg/m3, required
+        mass per undeformed volume; above 0 (kg/m3)
+    specific_heat : float, J/(kg K), required
+        heat per mass and kelvin; above 0 (J/(kg K))
+    conductivity : float | collections.abc.Sequence[float], W/(m K), required
+        thermal conductivity: a number, or xx, yy, zz, xy, yz, xz of a symmetric tensor
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, density: float, specific_heat: float, conductivity: float | collections.abc.Sequence[float]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def conductivity(self) -> float | collections.abc.Sequence[float]:
+        """
+        thermal conductivity: a number, or xx, yy, zz, xy, yz, xz of a symmetric tensor, W/(m K)
+        """
+    @conductivity.setter
+    def conductivity(self, value: float | collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def density(self) -> float:
+        """
+        mass per undeformed volume, kg/m3
+        """
+    @density.setter
+    def density(self, value: float) -> None:
+        ...
+    @property
+    def specific_heat(self) -> float:
+        """
+        heat per mass and kelvin, J/(kg K)
+        """
+    @specific_heat.setter
+    def specific_heat(self, value: float) -> None:
+        ...
+class Flux:
+    """
+    A prescribed flux, positive into the body.
+    
+    Parameters
+    ----------
+    name : str, default ''
+        name of the region in ledger and messages
+    value : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], W/m^2, required
+        flux, positive into the body
+    region : Shape | None, default None
+        shape that selects the surface
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, name: str = ..., value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], region: Shape | None = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        name of the region in ledger and messages
+        """
+    @name.setter
+    def name(self, value: str) -> None:
+        ...
+    @property
+    def region(self) -> Shape | None:
+        """
+        shape that selects the surface
+        """
+    @region.setter
+    def region(self, value: Shape | None) -> None:
+        ...
+    @property
+    def value(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        flux, positive into the body, W/m^2
+        """
+    @value.setter
+    def value(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+class Convection:
+    """
+    Newton's law of cooling: flux into the body = coefficient (ambient - T).
+    
+    Parameters
+    ----------
+    name : str, default ''
+        name of the region in ledger and messages
+    coefficient : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], W/(m^2 K), required
+        heat transfer coefficient; at least 0 (W/(m^2 K))
+    ambient : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, required
+        temperature far away
+    region : Shape | None, default None
+        shape that selects the surface
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, name: str = ..., coefficient: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], ambient: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], region: Shape | None = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def ambient(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        temperature far away, K
+        """
+    @ambient.setter
+    def ambient(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
+    def coefficient(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        heat transfer coefficient, W/(m^2 K)
+        """
+    @coefficient.setter
+    def coefficient(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        name of the region in ledger and messages
+        """
+    @name.setter
+    def name(self, value: str) -> None:
+        ...
+    @property
+    def region(self) -> Shape | None:
+        """
+        shape that selects the surface
+        """
+    @region.setter
+    def region(self, value: Shape | None) -> None:
+        ...
+class Radiation:
+    """
+    Grey-body exchange: flux into the body = emissivity sigma (ambient^4 - T^4), in absolute kelvin.
+    
+    Parameters
+    ----------
+    name : str, default ''
+        name of the region in ledger and messages
+    emissivity : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], default 1.0
+        emissivity; from 0 to 1
+    ambient : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, required
+        absolute temperature far away; at least 0 (K)
+    stefan_boltzmann : float, W/(m^2 K^4), default 5.670374419e-08
+        Stefan-Boltzmann constant in the scene's units; above 0 (W/(m^2 K^4))
+    region : Shape | None, default None
+        shape that selects the surface
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, name: str = ..., emissivity: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., ambient: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], stefan_boltzmann: float = ..., region: Shape | None = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def ambient(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        absolute temperature far away, K
+        """
+    @ambient.setter
+    def ambient(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
+    def emissivity(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        emissivity
+        """
+    @emissivity.setter
+    def emissivity(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        name of the region in ledger and messages
+        """
+    @name.setter
+    def name(self, value: str) -> None:
+        ...
+    @property
+    def region(self) -> Shape | None:
+        """
+        shape that selects the surface
+        """
+    @region.setter
+    def region(self, value: Shape | None) -> None:
+        ...
+    @property
+    def stefan_boltzmann(self) -> float:
+        """
+        Stefan-Boltzmann constant in the scene's units, W/(m^2 K^4)
+        """
+    @stefan_boltzmann.setter
+    def stefan_boltzmann(self, value: float) -> None:
+        ...
+class Temperature:
+    """
+    A temperature held on a surface that need not fit the grid.
+    
+    Parameters
+    ----------
+    name : str, default ''
+        name of the region in ledger and messages
+    value : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, required
+        temperature of the surface
+    region : Shape | None, default None
+        shape that selects the surface
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, name: str = ..., value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], region: Shape | None = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        name of the region in ledger and messages
+        """
+    @name.setter
+    def name(self, value: str) -> None:
+        ...
+    @property
+    def region(self) -> Shape | None:
+        """
+        shape that selects the surface
+        """
+    @region.setter
+    def region(self, value: Shape | None) -> None:
+        ...
+    @property
+    def value(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        temperature of the surface, K
+        """
+    @value.setter
+    def value(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+class Heat:
+    """
+    Heat conduction: the section [heat] of a scene.
+    
+    Parameters
+    ----------
+    method : typing.Literal['virtual', 'paper', 'particle', 'node'], default 'virtual'
+        how flux laws reach the nodes
+    transfer : typing.Literal['auto', 'kept', 'affine', 'flip', 'pic', 'tpic'], default 'auto'
+        what points and nodes hand each other
+    stepping : typing.Literal['explicit', 'theta'], default 'explicit'
+        explicit Euler or the implicit theta scheme
+    theta : float, default 0.5
+        implicitness of the theta scheme; from 0.5 to 1
+    solver : typing.Literal['auto', 'direct', 'cg'], default 'auto'
+        linear solver of the theta scheme
+    blend : float, default 4.0
+        c of the step-scaled blend 1 - exp(-c dt alpha/h^2); from 0 to 1000
+    normal_smoothing : int, default 2
+        smoothing passes before nodal normals; from 0 to 16
+    surface_fraction : float, default 0.55
+        volume fraction below which a cell is surface (method paper); above 0 and at most 1
+    implicit_exchange : bool, default True
+        take convection and radiation at the end of the step, stable for any coefficient
+    corner_fit : bool, default True
+        give sharp corners their whole area
+    rescale_areas : bool, default False
+        scale areas to a smoothed contour, for sparse points
+    boundaries : list[Flux | Convection | Radiation | Temperature], default []
+        flux laws and held temperatures; the first region that covers a place wins
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, method: typing.Literal['virtual', 'paper', 'particle', 'node'] = ..., transfer: typing.Literal['auto', 'kept', 'affine', 'flip', 'pic', 'tpic'] = ..., stepping: typing.Literal['explicit', 'theta'] = ..., theta: float = ..., solver: typing.Literal['auto', 'direct', 'cg'] = ..., blend: float = ..., normal_smoothing: int = ..., surface_fraction: float = ..., implicit_exchange: bool = ..., corner_fit: bool = ..., rescale_areas: bool = ..., boundaries: list[Flux | Convection | Radiation | Temperature] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def blend(self) -> float:
+        """
+        c of the step-scaled blend 1 - exp(-c dt alpha/h^2)
+        """
+    @blend.setter
+    def blend(self, value: float) -> None:
+        ...
+    @property
+    def boundaries(self) -> list[Flux | Convection | Radiation | Temperature]:
+        """
+        flux laws and held temperatures; the first region that covers a place wins
+        """
+    @boundaries.setter
+    def boundaries(self, value: list[Flux | Convection | Radiation | Temperature]) -> None:
+        ...
+    @property
+    def corner_fit(self) -> bool:
+        """
+        give sharp corners their whole area
+        """
+    @corner_fit.setter
+    def corner_fit(self, value: bool) -> None:
+        ...
+    @property
+    def implicit_exchange(self) -> bool:
+        """
+        take convection and radiation at the end of the step, stable for any coefficient
+        """
+    @implicit_exchange.setter
+    def implicit_exchange(self, value: bool) -> None:
+        ...
+    @property
+    def method(self) -> typing.Literal['virtual', 'paper', 'particle', 'node']:
+        """
+        how flux laws reach the nodes
+        """
+    @method.setter
+    def method(self, value: typing.Literal['virtual', 'paper', 'particle', 'node']) -> None:
+        ...
+    @property
+    def normal_smoothing(self) -> int:
+        """
+        smoothing passes before nodal normals
+        """
+    @normal_smoothing.setter
+    def normal_smoothing(self, value: int) -> None:
+        ...
+    @property
+    def rescale_areas(self) -> bool:
+        """
+        scale areas to a smoothed contour, for sparse points
+        """
+    @rescale_areas.setter
+    def rescale_areas(self, value: bool) -> None:
+        ...
+    @property
+    def solver(self) -> typing.Literal['auto', 'direct', 'cg']:
+        """
+        linear solver of the theta scheme
+        """
+    @solver.setter
+    def solver(self, value: typing.Literal['auto', 'direct', 'cg']) -> None:
+        ...
+    @property
+    def stepping(self) -> typing.Literal['explicit', 'theta']:
+        """
+        explicit Euler or the implicit theta scheme
+        """
+    @stepping.setter
+    def stepping(self, value: typing.Literal['explicit', 'theta']) -> None:
+        ...
+    @property
+    def surface_fraction(self) -> float:
+        """
+        volume fraction below which a cell is surface (method paper)
+        """
+    @surface_fraction.setter
+    def surface_fraction(self, value: float) -> None:
+        ...
+    @property
+    def theta(self) -> float:
+        """
+        implicitness of the theta scheme
+        """
+    @theta.setter
+    def theta(self, value: float) -> None:
+        ...
+    @property
+    def transfer(self) -> typing.Literal['auto', 'kept', 'affine', 'flip', 'pic', 'tpic']:
+        """
+        what points and nodes hand each other
+        """
+    @transfer.setter
+    def transfer(self, value: typing.Literal['auto', 'kept', 'affine', 'flip', 'pic', 'tpic']) -> None:
+        ...
+class Points:
+    """
+    Points handed over as arrays; no scene file holds them.
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    @staticmethod
+    def __getstate__(*args: typing.Any, **kwargs: typing.Any) -> typing.Any:
+        ...
+    @staticmethod
+    def __setstate__(*args: typing.Any, **kwargs: typing.Any) -> typing.Any:
+        ...
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __init__(self, positions: numpy.typing.ArrayLike, volumes: numpy.typing.ArrayLike) -> None:
+        ...
+    def __len__(self) -> int:
+        ...
+    def __repr__(self) -> str:
+        ...
+    @property
+    def positions(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        copy of the positions (points, dimension), m
+        """
+    @property
+    def volumes(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        copy of the volumes (points,), m^dimension
+        """
+class _Places:
+    """
+    Where keys stand in a file.
+    """
+    @staticmethod
+    def __getstate__(*args: typing.Any, **kwargs: typing.Any) -> typing.Any:
+        ...
+    @staticmethod
+    def __setstate__(*args: typing.Any, **kwargs: typing.Any) -> typing.Any:
+        ...
+class Rotation:
+    """
+    A body turned at constant speed.
+    
+    Parameters
+    ----------
+    revolutions_per_second : float, 1/s, required
+        positive counter-clockwise
+    center : collections.abc.Sequence[float], m, default ()
+        a place on the axis; empty: the origin
+    axis : collections.abc.Sequence[float], default (0.0, 0.0, 1.0)
+        direction of the axis, in 3D
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, revolutions_per_second: float, center: collections.abc.Sequence[float] = ..., axis: collections.abc.Sequence[float] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def axis(self) -> collections.abc.Sequence[float]:
+        """
+        direction of the axis, in 3D
+        """
+    @axis.setter
+    def axis(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def center(self) -> collections.abc.Sequence[float]:
+        """
+        a place on the axis; empty: the origin, m
+        """
+    @center.setter
+    def center(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def revolutions_per_second(self) -> float:
+        """
+        positive counter-clockwise, 1/s
+        """
+    @revolutions_per_second.setter
+    def revolutions_per_second(self, value: float) -> None:
+        ...
+class Translation:
+    """
+    A body moved at constant velocity.
+    
+    Parameters
+    ----------
+    velocity : collections.abc.Sequence[float], m/s, required
+        one number an axis
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, velocity: collections.abc.Sequence[float]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def velocity(self) -> collections.abc.Sequence[float]:
+        """
+        one number an axis, m/s
+        """
+    @velocity.setter
+    def velocity(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+class Swirl:
+    """
+    Circles that turn at their own speeds.
+    
+    Parameters
+    ----------
+    revolutions_per_second : float, 1/s, required
+        of the rim
+    shear : float, default 0.4
+        s of w (1 + s (1 - r^2/R^2))
+    radius : float, m, default 1.0
+        R, the rim; above 0 (m)
+    center : collections.abc.Sequence[float], m, default ()
+        centre of the swirl; empty: the origin
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, revolutions_per_second: float, shear: float = ..., radius: float = ..., center: collections.abc.Sequence[float] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def center(self) -> collections.abc.Sequence[float]:
+        """
+        centre of the swirl; empty: the origin, m
+        """
+    @center.setter
+    def center(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def radius(self) -> float:
+        """
+        R, the rim, m
+        """
+    @radius.setter
+    def radius(self, value: float) -> None:
+        ...
+    @property
+    def revolutions_per_second(self) -> float:
+        """
+        of the rim, 1/s
+        """
+    @revolutions_per_second.setter
+    def revolutions_per_second(self, value: float) -> None:
+        ...
+    @property
+    def shear(self) -> float:
+        """
+        s of w (1 + s (1 - r^2/R^2))
+        """
+    @shear.setter
+    def shear(self, value: float) -> None:
+        ...
+class Body:
+    """
+    A body: where its points come from (one of shape, points_file, points), what it is made of, how it starts and how it is moved.
+    
+    Parameters
+    ----------
+    name : str, default ''
+        name in messages and results
+    shape : Shape | None, default None
+        shape filled with points
+    points_file : str, default ''
+        text file of points: coordinates and volume in each row
+    points : Points | None, default None
+        arrays of points, from a program only
+    points_per_cell : int | None, default 'auto'
+        points in a full cell, the same number along each axis; from 1 to 1000
+    clip : bool, default False
+        cut the volume of boundary points to the shape
+    jitter : float, default 0.0
+        random displacement, in spacings of the points; from 0 to 0.5
+    random : bool, default False
+        points anywhere in the shape instead of on a lattice
+    seed : int, default 1
+        seed of jitter and random; at least 0
+    rotation : float, degree, default 0.0
+        turn of the filled points, anticlockwise
+    rotation_center : collections.abc.Sequence[float], m, default ()
+        point that stays; empty: the origin
+    rotation_axis : collections.abc.Sequence[float], default (0.0, 0.0, 1.0)
+        direction that stays, in three dimensions
+    translation : collections.abc.Sequence[float], m, default ()
+        displacement after the turn
+    material : list[Thermal], required
+        what it is made of: one material, or one for each physics
+    temperature : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, default 0.0
+        temperature at the start
+    source : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], W/m3, default 0.0
+        heat released in its volume
+    velocity : collections.abc.Sequence[float], m/s, default ()
+        velocity at the start
+    motion : Rotation | Translation | Swirl | None, default None
+        prescribed motion
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., clip: bool = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def clip(self) -> bool:
+        """
+        cut the volume of boundary points to the shape
+        """
+    @clip.setter
+    def clip(self, value: bool) -> None:
+        ...
+    @property
+    def jitter(self) -> float:
+        """
+        random displacement, in spacings of the points
+        """
+    @jitter.setter
+    def jitter(self, value: float) -> None:
+        ...
+    @property
+    def material(self) -> list[Thermal]:
+        """
+        what it is made of: one material, or one for each physics
+        """
+    @material.setter
+    def material(self, value: list[Thermal]) -> None:
+        ...
+    @property
+    def motion(self) -> Rotation | Translation | Swirl | None:
+        """
+        prescribed motion
+        """
+    @motion.setter
+    def motion(self, value: Rotation | Translation | Swirl | None) -> None:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        name in messages and results
+        """
+    @name.setter
+    def name(self, value: str) -> None:
+        ...
+    @property
+    def points(self) -> Points | None:
+        """
+        arrays of points, from a program only
+        """
+    @points.setter
+    def points(self, value: Points | None) -> None:
+        ...
+    @property
+    def points_file(self) -> str:
+        """
+        text file of points: coordinates and volume in each row
+        """
+    @points_file.setter
+    def points_file(self, value: str) -> None:
+        ...
+    @property
+    def points_per_cell(self) -> int | None | str:
+        """
+        points in a full cell, the same number along each axis
+        """
+    @points_per_cell.setter
+    def points_per_cell(self, value: int | None | str) -> None:
+        ...
+    @property
+    def random(self) -> bool:
+        """
+        points anywhere in the shape instead of on a lattice
+        """
+    @random.setter
+    def random(self, value: bool) -> None:
+        ...
+    @property
+    def rotation(self) -> float:
+        """
+        turn of the filled points, anticlockwise, degree
+        """
+    @rotation.setter
+    def rotation(self, value: float) -> None:
+        ...
+    @property
+    def rotation_axis(self) -> collections.abc.Sequence[float]:
+        """
+        direction that stays, in three dimensions
+        """
+    @rotation_axis.setter
+    def rotation_axis(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def rotation_center(self) -> collections.abc.Sequence[float]:
+        """
+        point that stays; empty: the origin, m
+        """
+    @rotation_center.setter
+    def rotation_center(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def seed(self) -> int:
+        """
+        seed of jitter and random
+        """
+    @seed.setter
+    def seed(self, value: int) -> None:
+        ...
+    @property
+    def shape(self) -> Shape | None:
+        """
+        shape filled with points
+        """
+    @shape.setter
+    def shape(self, value: Shape | None) -> None:
+        ...
+    @property
+    def source(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        heat released in its volume, W/m3
+        """
+    @source.setter
+    def source(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
+    def temperature(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        temperature at the start, K
+        """
+    @temperature.setter
+    def temperature(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
+    def translation(self) -> collections.abc.Sequence[float]:
+        """
+        displacement after the turn, m
+        """
+    @translation.setter
+    def translation(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def velocity(self) -> collections.abc.Sequence[float]:
+        """
+        velocity at the start, m/s
+        """
+    @velocity.setter
+    def velocity(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+class Grid:
+    """
+    The background grid; its corners give the dimension of the scene.
+    
+    Parameters
+    ----------
+    lower : collections.abc.Sequence[float], m, required
+        corner with the least coordinates
+    upper : collections.abc.Sequence[float], m, required
+        corner with the largest coordinates, a whole number of cells away
+    cell : float, m, required
+        size of a cell; above 0 (m)
+    shape_function : typing.Literal['linear', 'gimp', 'bspline'], default 'gimp'
+        shape function of the nodes
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, lower: collections.abc.Sequence[float], upper: collections.abc.Sequence[float], cell: float, shape_function: typing.Literal['linear', 'gimp', 'bspline'] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def cell(self) -> float:
+        """
+        size of a cell, m
+        """
+    @cell.setter
+    def cell(self, value: float) -> None:
+        ...
+    @property
+    def lower(self) -> collections.abc.Sequence[float]:
+        """
+        corner with the least coordinates, m
+        """
+    @lower.setter
+    def lower(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def shape_function(self) -> typing.Literal['linear', 'gimp', 'bspline']:
+        """
+        shape function of the nodes
+        """
+    @shape_function.setter
+    def shape_function(self, value: typing.Literal['linear', 'gimp', 'bspline']) -> None:
+        ...
+    @property
+    def upper(self) -> collections.abc.Sequence[float]:
+        """
+        corner with the largest coordinates, a whole number of cells away, m
+        """
+    @upper.setter
+    def upper(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+class Time:
+    """
+    When the run ends and how its steps are chosen.
+    
+    Parameters
+    ----------
+    end : float, s, required
+        time at which the run ends; above 0 (s)
+    step : float | None, s, default 'auto'
+        size of a step; above 0 (s)
+    steps : int | None, default None
+        number of equal steps to the end, instead of a size; from 1 to 1e+12
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, end: float, step: float | None | str = ..., steps: int | None = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def end(self) -> float:
+        """
+        time at which the run ends, s
+        """
+    @end.setter
+    def end(self, value: float) -> None:
+        ...
+    @property
+    def step(self) -> float | None | str:
+        """
+        size of a step, s
+        """
+    @step.setter
+    def step(self, value: float | None | str) -> None:
+        ...
+    @property
+    def steps(self) -> int | None:
+        """
+        number of equal steps to the end, instead of a size
+        """
+    @steps.setter
+    def steps(self, value: int | None) -> None:
+        ...
+class Output:
+    """
+    What a run leaves on disk.
+    
+    Parameters
+    ----------
+    path : str, default ''
+        file of frames for ParaView, ending in .vtkhdf
+    every : float | None, s, default None
+        time between frames; the first and the last only when not given; above 0 (s)
+    every_steps : int | None, default None
+        steps between frames, instead of a time; from 1 to 1e+12
+    checkpoint : bool, default True
+        keep a state to resume from beside the frames
+    checkpoint_every : float | None, s, default None
+        wall time between checkpoints; one with every frame when not given; above 0 (s)
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, path: str = ..., every: float | None = ..., every_steps: int | None = ..., checkpoint: bool = ..., checkpoint_every: float | None = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def checkpoint(self) -> bool:
+        """
+        keep a state to resume from beside the frames
+        """
+    @checkpoint.setter
+    def checkpoint(self, value: bool) -> None:
+        ...
+    @property
+    def checkpoint_every(self) -> float | None:
+        """
+        wall time between checkpoints; one with every frame when not given, s
+        """
+    @checkpoint_every.setter
+    def checkpoint_every(self, value: float | None) -> None:
+        ...
+    @property
+    def every(self) -> float | None:
+        """
+        time between frames; the first and the last only when not given, s
+        """
+    @every.setter
+    def every(self, value: float | None) -> None:
+        ...
+    @property
+    def every_steps(self) -> int | None:
+        """
+        steps between frames, instead of a time
+        """
+    @every_steps.setter
+    def every_steps(self, value: int | None) -> None:
+        ...
+    @property
+    def path(self) -> str:
+        """
+        file of frames for ParaView, ending in .vtkhdf
+        """
+    @path.setter
+    def path(self, value: str) -> None:
+        ...
+class Scene:
+    """
+    All that a run computes, as plain data. A section that is absent is physics that is not modelled.
+    
+    Parameters
+    ----------
+    title : str, default ''
+        what the scene shows
+    grid : Grid, required
+        background grid
+    bodies : list[Body], required
+        bodies
+    heat : Heat | None, default None
+        heat conduction; absent: not modelled
+    time : Time, required
+        end and steps
+    output : Output, default Output()
+        frames and checkpoints
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    @staticmethod
+    def load(path: str) -> Scene:
+        """
+        The scene of a TOML file.
+        """
+    @staticmethod
+    def parse(text: str, name: str = 'scene') -> Scene:
+        """
+        The scene of a TOML text; messages call it by `name`.
+        """
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, title: str = ..., grid: Grid, bodies: list[Body], heat: Heat | None = ..., time: Time, output: Output = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    def save(self, path: str) -> None:
+        """
+        Write the scene as TOML. Functions and arrays, which no file holds, are a ValueError.
+        """
+    def set(self, assignment: str) -> Scene:
+        """
+        A copy with one member changed by its path: scene.set('grid.cell=0.05').
+        """
+    def to_json(self) -> str:
+        """
+        Every setting with defaults filled in; functions and arrays are named only.
+        """
+    def to_toml(self, everything: bool = False) -> str:
+        """
+        The scene as TOML; with defaults filled in if `everything`.
+        """
+    @property
+    def bodies(self) -> list[Body]:
+        """
+        bodies
+        """
+    @bodies.setter
+    def bodies(self, value: list[Body]) -> None:
+        ...
+    @property
+    def grid(self) -> Grid:
+        """
+        background grid
+        """
+    @grid.setter
+    def grid(self, value: Grid) -> None:
+        ...
+    @property
+    def heat(self) -> Heat | None:
+        """
+        heat conduction; absent: not modelled
+        """
+    @heat.setter
+    def heat(self, value: Heat | None) -> None:
+        ...
+    @property
+    def output(self) -> Output:
+        """
+        frames and checkpoints
+        """
+    @output.setter
+    def output(self, value: Output) -> None:
+        ...
+    @property
+    def time(self) -> Time:
+        """
+        end and steps
+        """
+    @time.setter
+    def time(self, value: Time) -> None:
+        ...
+    @property
+    def title(self) -> str:
+        """
+        what the scene shows
+        """
+    @title.setter
+    def title(self, value: str) -> None:
+        ...
+class StepReport:
+    """
+    What one step did.
+    """
+    @property
+    def accepted(self) -> float:
+        """
+        size of the step taken, s
+        """
+    @property
+    def iterations(self) -> int:
+        """
+        iterations of implicit solves
+        """
+    @property
+    def residual(self) -> float:
+        """
+        relative residual of implicit solves
+        """
+class Ledger:
+    """
+    The account of one conserved quantity: what was there, what came in, what is there now.
+    """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def entries(self) -> dict[str, float]:
+        """
+        what came in by each way since the start; negative: went out
+        """
+    @property
+    def initial(self) -> float:
+        """
+        stored at the start
+        """
+    @property
+    def quantity(self) -> str:
+        """
+        what is conserved
+        """
+    @property
+    def residual(self) -> float:
+        """
+        (stored - initial - taken in) over the larger of turnover and capacity x span
+        """
+    @property
+    def stored(self) -> float:
+        """
+        stored now
+        """
+    @property
+    def taken_in(self) -> float:
+        """
+        sum of the entries, counted inwards
+        """
+    @property
+    def turnover(self) -> float:
+        """
+        sum of the entries' sizes
+        """
+    @property
+    def unit(self) -> str:
+        """
+        unit of every amount
+        """
+class Simulation:
+    """
+    A clock, the points and an ordered list of physics, built from a scene. Stepping releases the GIL.
+    """
+    def __getitem__(self, name: str) -> numpy.typing.NDArray[typing.Any]:
+        """
+        A field as a read-only view without copy, brought up to date, one row a point in the present order. It keeps the simulation alive; later steps change it.
+        """
+    def __init__(self, scene: Scene) -> None:
+        ...
+    def __len__(self) -> int:
+        """
+        The number of points.
+        """
+    def by_id(self, name: str) -> numpy.typing.NDArray[typing.Any]:
+        """
+        A copy of a field with its rows in the order of the points' ids.
+        """
+    def diagnostics(self) -> dict[str, float]:
+        """
+        Numbers worth watching, by physics.
+        """
+    def ledger(self) -> list[Ledger]:
+        """
+        The account of every conserved quantity.
+        """
+    def limits(self) -> dict[str, tuple[float, float, str]]:
+        """
+        Of each physics the automatic step, the largest one allowed and why, s.
+        """
+    def run_until(self, time: float, callback: collections.abc.Callable[[Simulation], typing.Any] | None = None) -> None:
+        """
+        Step until `time`, exactly. After each step `callback(simulation)` may return False to stop early.
+        """
+    def step(self) -> StepReport:
+        """
+        Take one step.
+        """
+    def unit(self, name: str) -> str:
+        """
+        The unit of a field.
+        """
+    @property
+    def dimension(self) -> int:
+        """
+        1, 2 or 3
+        """
+    @property
+    def end(self) -> float:
+        """
+        time at which the scene ends, s
+        """
+    @property
+    def fields(self) -> list[str]:
+        """
+        names that can be asked for
+        """
+    @property
+    def position(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        positions (points, dimension), a view, m
+        """
+    @property
+    def step_index(self) -> int:
+        """
+        steps taken
+        """
+    @property
+    def step_size(self) -> float:
+        """
+        size of the next step, s
+        """
+    @property
+    def time(self) -> float:
+        """
+        the clock, s
+        """
+class OutputError(OSError):
+    """
+    A file could not be written or read; the message names the file and the reason.
+    """
+class Progress:
+    """
+    How far a run has come.
+    """
+    @property
+    def fraction(self) -> float:
+        """
+        of the time to simulate, 0 to 1
+        """
+    @property
+    def points(self) -> int:
+        """
+        number of points
+        """
+    @property
+    def seconds_elapsed(self) -> float:
+        """
+        of wall time
+        """
+    @property
+    def seconds_left(self) -> float:
+        """
+        of wall time, estimated; NaN while unknown
+        """
+    @property
+    def step(self) -> int:
+        """
+        steps since the start
+        """
+    @property
+    def step_size(self) -> float:
+        """
+        of the last step, s
+        """
+    @property
+    def time(self) -> float:
+        """
+        simulated, s
+        """
+class RunSummary:
+    """
+    What a run did.
+    """
+    @property
+    def cpu_seconds(self) -> float:
+        """
+        of processor time, all threads together
+        """
+    @property
+    def finished(self) -> bool:
+        """
+        whether it came to its end
+        """
+    @property
+    def frames(self) -> int:
+        """
+        frames on disk
+        """
+    @property
+    def iterations(self) -> int:
+        """
+        of implicit solves
+        """
+    @property
+    def largest_step(self) -> float:
+        """
+        s
+        """
+    @property
+    def smallest_step(self) -> float:
+        """
+        s
+        """
+    @property
+    def steps(self) -> int:
+        """
+        steps taken since the start or the resume
+        """
+    @property
+    def time(self) -> float:
+        """
+        simulated, s
+        """
+    @property
+    def wall_seconds(self) -> float:
+        """
+        of wall time
+        """
+def check_json(scene: Scene) -> str:
+    """
+    What a scene models and costs, as JSON.
+    """
+def check_text(scene: Scene) -> str:
+    """
+    What a scene models and costs, as lines of text.
+    """
+def cpu_seconds() -> float:
+    """
+    Processor time used by this process.
+    """
+def keys_as_markdown() -> str:
+    """
+    Every key of a scene file, as Markdown tables.
+    """
+def merge(from_path: str, to_path: str) -> None:
+    """
+    Gather a series of frames into one self-contained file.
+    """
+def peak_memory() -> int:
+    """
+    The most memory this process has used, bytes.
+    """
+def run_simulation(simulation: Simulation, scene: Scene, resume: bool, progress: collections.abc.Callable[[Progress], None] | None, callback: collections.abc.Callable[[Simulation], typing.Any] | None) -> RunSummary:
+    """
+    Run to the end of the scene and leave what its output section asks for. After Ctrl-C, or an error in the callback, the last frame and checkpoint are written before it is raised.
+    """
+def set_thread_count(threads: int) -> None:
+    """
+    Set the threads of every following run; 0 means all processors. Other libraries are not touched.
+    """
+def thread_count() -> int:
+    """
+    Threads that every loop may use.
+    """
+__version__: str = '0.1.0'

@@ -1,0 +1,134 @@
+"""Error against cost: settings, references, tables, resuming."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lapilli as lp
+from lapilli.study import LocalPool, Setting, parse_variation, settings_of, tradeoff
+from lapilli.study.measure import Cost, Measurement, reason_of_blow_up
+from lapilli.study.reference import interpolate, reference_of
+from lapilli.study.runner import InProcess
+from lapilli.study.table import Table
+
+
+def test_variations_are_parted_outside_brackets() -> None:
+    assert parse_variation("grid.cell=0.4, 0.2") == ("grid.cell", ["0.4", "0.2"])
+    text = "heat.boundaries=[{kind='flux', value=1}],[]"
+    assert parse_variation(text)[1] == ["[{kind='flux', value=1}]", "[]"]
+    for wrong in ("grid.cell", "=1", "grid.cell=", "grid.cell=1,,2"):
+        with pytest.raises(ValueError, match="path=value"):
+            parse_variation(wrong)
+
+
+def test_every_combination_is_a_setting(ring: lp.Scene) -> None:
+    settings = settings_of({"grid.cell": [0.5, 0.25], "heat.transfer": ["flip", "pic"]})
+    assert [str(s) for s in settings][:2] == [
+        "grid.cell=0.5, heat.transfer=flip",
+        "grid.cell=0.5, heat.transfer=pic",
+    ]
+    changed = settings[-1].apply(ring)
+    assert (changed.grid.cell, changed.heat.transfer) == (0.25, "pic")
+
+
+def test_interpolation_reproduces_linear_fields() -> None:
+    generator = np.random.default_rng(1)
+    for dimension in (1, 2, 3):
+        known, wanted = generator.random((400, dimension)), generator.random((50, dimension))
+        slope = np.arange(1.0, dimension + 1)
+        found = interpolate(known, known @ slope + 1, wanted)
+        # the ridge of 1e-12 that keeps the fit regular is the only error
+        np.testing.assert_allclose(found, wanted @ slope + 1, atol=1e-8)
+
+
+def test_errors_of_the_ring_fall_with_the_cell(ring: lp.Scene, tmp_path: Path) -> None:
+    store = tmp_path / "ring.jsonl"
+    study = {"vary": {"grid.cell": [1.0, 0.5, 0.25]}, "reference": "radial", "repeats": 1}
+    table = tradeoff(ring, **study, runner=InProcess(), store=store)
+    errors = [row.error for row in table.rows]
+    # 0.104, 4.0e-3, 3.1e-3: a cell of 1 m does not resolve the hole; below, the staircase of points
+    # that are not clipped makes the error fall unevenly
+    assert errors[0] > 10 * errors[1]
+    assert errors[1] > errors[2] > 0
+    assert errors[2] < 5e-3
+    assert [row.points for row in table.rows] == sorted(row.points for row in table.rows)
+    assert "grid.cell=0.25" in table.advice()
+    assert f"grid.cell={1.0}" in table.advice(target_error=10 * errors[0])
+    assert "no setting tried" in table.advice(target_error=errors[2] / 10)
+    table.to_csv(tmp_path / "ring.csv")
+    assert (tmp_path / "ring.csv").read_text().startswith("grid.cell,error,largest,cpu_seconds")
+    table.to_json(tmp_path / "ring.json")
+    assert json.loads((tmp_path / "ring.json").read_text())[0]["grid.cell"] == "1.0"
+    table.picture(tmp_path / "ring.png")
+    assert (tmp_path / "ring.png").stat().st_size > 1000
+
+    # a stopped study goes on: the half line of a killed run is forgotten, the rest is not run again
+    lines = store.read_text().splitlines(keepends=True)
+    store.write_text("".join(lines[:2]) + lines[2][:20])
+    ran = []
+    tradeoff(ring, **study, runner=InProcess(), store=store, report=lambda m, d, n: ran.append(m))
+    assert [str(m.setting) for m in ran] == ["grid.cell=0.25"]
+
+
+def test_refused_settings_stay_with_their_reason(ring: lp.Scene) -> None:
+    vary = {"time.step": [1e-3, 1e3]}
+    table = tradeoff(ring, vary, "radial", repeats=1, runner=InProcess())
+    assert table.rows[0].reason == ""
+    assert "above the limit" in table.rows[1].reason
+    assert table.rows[1].error is None
+
+
+def test_a_misspelt_path_is_an_error(ring: lp.Scene) -> None:
+    with pytest.raises(ValueError, match="did you mean 'cell'"):
+        tradeoff(ring, {"grid.cel": [1]}, "radial", runner=InProcess())
+
+
+def test_values_beyond_reason_are_unstable() -> None:
+    truth = np.linspace(0, 1, 5)
+    assert reason_of_blow_up(truth + 0.5, truth, 1.0) == ""
+    assert "stray" in reason_of_blow_up(truth * 50, truth, 1.0)
+    assert "no longer finite" in reason_of_blow_up(truth * np.nan, truth, 1.0)
+
+
+def measured(cell: str, error: float | None, seconds: float, repeat: int = 0) -> Measurement:
+    cost = Cost(seconds, 0.0, seconds, 10, 100, 1000)
+    reason = "" if error is not None else "unstable"
+    return Measurement(Setting((("grid.cell", cell),)), repeat, error, error, reason, cost)
+
+
+def test_front_and_median() -> None:
+    rows = [measured("a", 1.0, s, k) for k, s in enumerate((1.0, 9.0, 2.0))]
+    rows += [measured("b", 0.5, 3.0), measured("c", 0.7, 4.0), measured("d", None, 1.0)]
+    settings = list(dict.fromkeys(row.setting for row in rows))
+    table = Table.of(settings, rows, "temperature", "K")
+    assert [row.cpu_seconds for row in table.rows] == [2.0, 3.0, 4.0, 1.0]
+    assert table.rows[0].cpu_spread == 8.0
+    assert [str(row.setting) for row in table.front] == ["grid.cell=a", "grid.cell=b"]
+    assert "grid.cell=b" in table.advice(target_error=0.6)
+    assert "grid.cell=a" in table.advice(budget=2.5)
+
+
+def test_worker_processes_measure_alike(ring: lp.Scene) -> None:
+    study = {"vary": {"grid.cell": [1.0]}, "reference": "radial", "repeats": 2}
+    here = tradeoff(ring, **study, runner=InProcess())
+    there = tradeoff(ring, **study, runner=LocalPool(2))
+    assert there.rows[0].error == here.rows[0].error
+    assert there.rows[0].peak_memory > 1_000_000
+    with pytest.raises(ValueError, match="top of a module"):
+        tradeoff(ring, {"grid.cell": [1.0]}, lambda x, t: 0.0, runner=LocalPool(1))
+
+
+def test_frames_and_finer_runs_are_references(ring: lp.Scene, tmp_path: Path) -> None:
+    lp.run(ring, tmp_path / "ring.vtkhdf", progress=False)
+    frames = reference_of(tmp_path / "ring.vtkhdf", ring, "temperature", [1.0])
+    finer = reference_of("finer:grid.cell=0.25", ring, "temperature", [1.0])
+    simulation = lp.Simulation(ring)
+    simulation.run_until(1.0)
+    position, values = simulation.position, simulation["temperature"]
+    # at its own points the fit smooths the run a little; the finer run differs by its error
+    assert np.sqrt(np.mean((frames(position, 1.0) - values) ** 2)) < 2e-2
+    assert 0 < np.sqrt(np.mean((finer(position, 1.0) - values) ** 2)) < 0.1
+    with pytest.raises(ValueError, match="no state at 0\\.5 s"):
+        finer(position, 0.5)
