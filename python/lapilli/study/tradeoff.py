@@ -105,7 +105,8 @@ class Store:
         self.key = key
         self.measurements: list[Measurement] = []
         if self.path is not None and self.path.exists():
-            self.measurements = [m for m in map(self._parse, self.path.open()) if m is not None]
+            lines = self.path.read_text().splitlines()
+            self.measurements = [m for m in map(self._parse, lines) if m is not None]
 
     def _parse(self, line: str) -> Measurement | None:
         try:
@@ -115,9 +116,10 @@ class Store:
             return None  # the last line of a run that was killed
 
     def add(self, measurement: Measurement) -> None:
-        """Append one measurement and see that it is on the disk's side of this process."""
+        """Append one measurement, on a line of its own after one that was cut short."""
         self.measurements.append(measurement)
         if self.path is not None:
+            line = json.dumps({"study": self.key, "measurement": measurement.as_json()})
+            cut = self.path.exists() and self.path.read_bytes()[-1:] not in (b"\n", b"")
             with self.path.open("a") as file:
-                line = json.dumps({"study": self.key, "measurement": measurement.as_json()})
-                file.write(line + "\n")
+                file.write(("\n" if cut else "") + line + "\n")

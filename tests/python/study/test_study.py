@@ -70,6 +70,8 @@ def test_errors_of_the_ring_fall_with_the_cell(ring: lp.Scene, tmp_path: Path) -
     ran = []
     tradeoff(ring, **study, runner=InProcess(), store=store, report=lambda m, d, n: ran.append(m))
     assert [str(m.setting) for m in ran] == ["grid.cell=0.25"]
+    tradeoff(ring, **study, runner=InProcess(), store=store, report=lambda m, d, n: ran.append(m))
+    assert len(ran) == 1
 
 
 def test_refused_settings_stay_with_their_reason(ring: lp.Scene) -> None:
