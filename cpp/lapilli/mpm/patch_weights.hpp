@@ -136,7 +136,6 @@ class PatchWeights {
 
  private:
   using Four = int __attribute__((vector_size(16)));
-  using Lanes = Index __attribute__((vector_size(32)));
 
   template <class ShapeOf>
   static void evaluate_each(const ShapeOf& shape_of, const Index* body, int count, Quad at,
@@ -153,14 +152,14 @@ class PatchWeights {
 
   /// From one quad a node, lanes the points, to one quad a point, lanes the nodes.
   static void turn(Quad a, Quad b, Quad c, Quad d, Quad* by_point) {
-    const Quad ab_low = __builtin_shuffle(a, b, Lanes{0, 4, 2, 6});
-    const Quad ab_high = __builtin_shuffle(a, b, Lanes{1, 5, 3, 7});
-    const Quad cd_low = __builtin_shuffle(c, d, Lanes{0, 4, 2, 6});
-    const Quad cd_high = __builtin_shuffle(c, d, Lanes{1, 5, 3, 7});
-    by_point[0] = __builtin_shuffle(ab_low, cd_low, Lanes{0, 1, 4, 5});
-    by_point[1] = __builtin_shuffle(ab_high, cd_high, Lanes{0, 1, 4, 5});
-    by_point[2] = __builtin_shuffle(ab_low, cd_low, Lanes{2, 3, 6, 7});
-    by_point[3] = __builtin_shuffle(ab_high, cd_high, Lanes{2, 3, 6, 7});
+    const Quad ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const Quad ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Quad cd_low = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const Quad cd_high = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    by_point[0] = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
+    by_point[1] = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
+    by_point[2] = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
+    by_point[3] = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
   }
 
   Four first_;

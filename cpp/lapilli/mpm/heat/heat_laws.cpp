@@ -34,7 +34,13 @@ void HeatLaws<Dim>::Account::add(double value) {
 
 template <int Dim>
 HeatLaws<Dim>::HeatLaws(const std::vector<HeatBoundary>& laws)
-    : laws_(laws), nodes_(laws.size()), account_(laws.size()) {}
+    : laws_(laws), nodes_(laws.size()), account_(laws.size()) {
+  for (const HeatBoundary& law : laws_) {
+    if (const Shape* region = region_of(law)) {
+      check(*region, Dim);
+    }
+  }
+}
 
 template <int Dim>
 bool HeatLaws<Dim>::has_held_temperature() const {

@@ -96,7 +96,7 @@ void PointGridTransfer<Dim>::project(const Points& points, const CellOrder<Dim>&
         // T_p + G_p . (x_I - x_p) over a patch: constant plus what varies within it.
         const double* g = gradient + row * Dim;
         Quad tilt{};
-        if constexpr (affine) {
+        if constexpr (decltype(affine)::value) {
           for (int axis = 0; axis < Patch::inner; ++axis) {
             tilt += (nodes.lanes(axis) - w.from_base(axis)) * g[axis];
           }
@@ -104,7 +104,7 @@ void PointGridTransfer<Dim>::project(const Points& points, const CellOrder<Dim>&
 #pragma GCC unroll 9
         for (int patch = 0; patch < Patch::patches; ++patch) {
           double constant = carried[row];
-          if constexpr (affine) {
+          if constexpr (decltype(affine)::value) {
             for (int axis = Patch::inner; axis < Dim; ++axis) {
               constant += g[axis] * (nodes.distance(patch, axis) - w.from_base(axis));
             }
@@ -113,7 +113,7 @@ void PointGridTransfer<Dim>::project(const Points& points, const CellOrder<Dim>&
           held.sum[0][patch] += mass;
           held.sum[1][patch] += mass * (tilt + constant);
         }
-        if constexpr (surface) {
+        if constexpr (decltype(surface)::value) {
           shell.hold(w.first());
           const double v = volume[row];
 #pragma GCC unroll 9
@@ -130,7 +130,7 @@ void PointGridTransfer<Dim>::project(const Points& points, const CellOrder<Dim>&
         }
       });
       held.flush();
-      if constexpr (surface) {
+      if constexpr (decltype(surface)::value) {
         shell.flush();
       }
     });
@@ -239,10 +239,10 @@ void PointGridTransfer<Dim>::update(const Points& points, const std::vector<doub
     const PatchNodes<Dim, Function> nodes(grid_);
     parallel_ranges(points.size(), [&](Index begin, Index end) {
       for_points(grid_, begin, end, position, shape_of, body, [&](Index row, const auto& w) {
-        const auto parts = parts_at<Dim, Function, with_gradient.value>(nodes, nodal.data(), w);
+        const auto parts = parts_at<Dim, Function, decltype(with_gradient)::value>(nodes, nodal.data(), w);
         const Quad added = lapilli::sums(parts[0], parts[1], parts[2], parts[3]);
         carried[row] = keep * carried[row] + added[0];
-        if constexpr (with_gradient) {
+        if constexpr (decltype(with_gradient)::value) {
           for (int axis = 0; axis < Dim; ++axis) {
             double& g = carried_gradient[row * Dim + axis];
             g = keep * g + added[1 + axis];
