@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <unordered_map>
+
+#include "lapilli/core/parallel.hpp"
 
 namespace lapilli {
 namespace {
@@ -23,101 +24,107 @@ double smoothstep(double t) {
   return t * t * (3.0 - 2.0 * t);
 }
 
+double eighth_power(double x) {
+  const double square = x * x;
+  return square * square * square * square;
+}
+
 /// Turning angle, in degrees, of two faces whose area vectors add up to `sum` out of `length`.
 double turn_of(double sum, double length) {
   const double coherence = length > 0.0 ? std::clamp(sum / length, 0.0, 1.0) : 1.0;
   return 2.0 * std::acos(coherence) * 180.0 / std::numbers::pi;
 }
 
-/// Reads area vectors around nodes, zero beyond the grid.
+/// Area vectors and what the fit asks of them: those around a node, smoothed or as they are.
 template <int Dim>
 class AreaVectors {
  public:
   AreaVectors(const Grid<Dim>& grid, const std::vector<Vec<Dim>>& raw) : grid_(grid), raw_(raw) {
-    const int reach = static_cast<int>(far_radius);
-    const int width = 2 * reach + 1;
-    const int block = Dim == 2 ? width * width : width * width * width;
-    for (int b = 0; b < block; ++b) {
+    const int reach = static_cast<int>(far_radius), width = 2 * reach + 1;
+    for (int b = 0; b < (Dim == 2 ? width * width : width * width * width); ++b) {
       Offset offset;
-      offset.distance = 0.0;
+      double square = 0.0;
       for (int axis = 0, rest = b; axis < Dim; ++axis, rest /= width) {
         offset.step[axis] = rest % width - reach;
-        offset.distance += offset.step[axis] * offset.step[axis];
+        square += offset.step[axis] * offset.step[axis];
+        offset.nodes += offset.step[axis] * grid.node_stride(axis);
       }
-      offset.distance = std::sqrt(offset.distance);
+      offset.distance = std::sqrt(square);
       if (offset.distance <= far_radius) {
         offsets_.push_back(offset);
       }
     }
     std::stable_sort(offsets_.begin(), offsets_.end(),
                      [](const Offset& a, const Offset& b) { return a.distance < b.distance; });
+    std::vector<double> scratch;
+    length_.assign(raw.size(), 0.0);
+    for (int axis = 0; axis < Dim; ++axis) {
+      smoothed_[axis].resize(raw.size());
+      parallel_for(static_cast<Index>(raw.size()),
+                   [&](Index node) { smoothed_[axis][node] = raw[node][axis]; });
+      smooth_nodes(grid, smoothed_[axis], scratch);
+    }
+    parallel_for(grid.node_count(), [&](Index node) { length_[node] = smoothed(node).norm(); });
   }
 
-  struct Offset {
-    std::array<int, Dim> step;
-    double distance;
-  };
-
-  /// Call body(node, distance) for every node of the grid within `radius`, nearest first.
+  /// Call body(node, distance in cells) for the nodes of the grid within `radius`, nearest first.
   template <class Body>
   void around(Index node, double radius, const Body& body) const {
     const auto at = grid_.node_at(node);
+    int margin = grid_.nodes(0);
+    for (int axis = 0; axis < Dim; ++axis) {
+      margin = std::min({margin, at[axis], grid_.nodes(axis) - 1 - at[axis]});
+    }
+    const bool whole = margin >= static_cast<int>(radius);
     for (const Offset& offset : offsets_) {
       if (offset.distance > radius) {
         return;
       }
-      auto to = at;
       bool inside = true;
-      for (int axis = 0; axis < Dim; ++axis) {
-        to[axis] += offset.step[axis];
-        inside = inside && to[axis] >= 1 && to[axis] < grid_.nodes(axis) - 1;
+      for (int axis = 0; axis < Dim && !whole; ++axis) {
+        const int to = at[axis] + offset.step[axis];
+        inside = inside && to >= 0 && to < grid_.nodes(axis);
       }
       if (inside) {
-        body(grid_.node_index(to), offset.distance);
+        body(node + offset.nodes, offset.distance);
       }
     }
   }
 
   const Vec<Dim>& raw(Index node) const { return raw_[node]; }
-
   /// Smoothed once by 1/4, 1/2, 1/4 along every axis.
-  const Vec<Dim>& smoothed(Index node) {
-    const auto found = smoothed_.find(node);
-    if (found != smoothed_.end()) {
-      return found->second;
+  Vec<Dim> smoothed(Index node) const {
+    Vec<Dim> a;
+    for (int axis = 0; axis < Dim; ++axis) {
+      a[axis] = smoothed_[axis][node];
     }
-    Vec<Dim> sum = Vec<Dim>::Zero();
-    const int block = Dim == 2 ? 9 : 27;
-    for (int b = 0; b < block; ++b) {
-      Index to = node;
-      double weight = 1.0;
-      for (int axis = 0, rest = b; axis < Dim; ++axis, rest /= 3) {
-        const int step = rest % 3 - 1;
-        to += step * grid_.node_stride(axis);
-        weight *= step == 0 ? 0.5 : 0.25;
-      }
-      sum += weight * raw_[to];
-    }
-    return smoothed_.emplace(node, sum).first->second;
+    return a;
   }
+  double smoothed_length(Index node) const { return length_[node]; }
 
  private:
+  struct Offset {
+    std::array<int, Dim> step;
+    Index nodes = 0;
+    double distance;
+  };
+
   const Grid<Dim>& grid_;
   const std::vector<Vec<Dim>>& raw_;
   std::vector<Offset> offsets_;
-  std::unordered_map<Index, Vec<Dim>> smoothed_;
+  std::array<std::vector<double>, Dim> smoothed_;
+  std::vector<double> length_;
 };
 
 /// One where the surface turns within the near ball as a corner does, zero on curves and on small
 /// closed bodies, whose turn grows with the distance looked at.
 template <int Dim>
-double guard(AreaVectors<Dim>& vectors, Index node) {
+double guard(const AreaVectors<Dim>& vectors, Index node) {
   Vec<Dim> inner = Vec<Dim>::Zero(), outer = Vec<Dim>::Zero();
   double inner_length = 0.0, outer_length = 0.0;
   vectors.around(node, far_radius, [&](Index at, double distance) {
-    const Vec<Dim>& a = vectors.smoothed(at);
-    (distance <= near_radius ? inner : outer) += a;
-    (distance <= near_radius ? inner_length : outer_length) += a.norm();
+    (distance <= near_radius ? inner : outer) += vectors.smoothed(at);
+    (distance <= near_radius ? inner_length : outer_length) += vectors.smoothed_length(at);
   });
   const double turn_in = turn_of(inner.norm(), inner_length);
   const double turn_out = turn_of(outer.norm(), outer_length);
@@ -131,7 +138,7 @@ double guard(AreaVectors<Dim>& vectors, Index node) {
 
 template <int Dim>
 void fit_corners(const Grid<Dim>& grid, const NodalSums<Dim>& sums, NodalAreas<Dim>& areas) {
-  AreaVectors<Dim> vectors(grid, sums.area_vector);
+  const AreaVectors<Dim> vectors(grid, sums.area_vector);
   const auto count = static_cast<Index>(areas.node.size());
   const auto row_of = [&](Index node) -> Index {
     const auto found = std::lower_bound(areas.node.begin(), areas.node.end(), node);
@@ -140,20 +147,22 @@ void fit_corners(const Grid<Dim>& grid, const NodalSums<Dim>& sums, NodalAreas<D
 
   // Coherence of the area vectors on each node's own side, and the ramp it gives.
   std::vector<double> trust(areas.node.size()), ramp(areas.node.size()), target(areas.node.size());
-  std::vector<Index> corners;
-  for (Index k = 0; k < count; ++k) {
+  parallel_for(count, [&](Index k) {
     Vec<Dim> sum = Vec<Dim>::Zero();
     double length = 0.0;
     vectors.around(areas.node[k], near_radius, [&](Index at, double) {
-      const Vec<Dim>& a = vectors.smoothed(at);
+      const Vec<Dim> a = vectors.smoothed(at);
       if (a.dot(areas.normal[k]) > 0.0) {
         sum += a;
-        length += a.norm();
+        length += vectors.smoothed_length(at);
       }
     });
-    trust[k] = length > 0.0 ? std::pow(std::min(1.0, sum.norm() / length), 8) : 0.0;
+    trust[k] = length > 0.0 ? eighth_power(std::min(1.0, sum.norm() / length)) : 0.0;
     ramp[k] = smoothstep((turn_of(sum.norm(), length) - ramp_from) / (ramp_to - ramp_from));
     target[k] = vectors.raw(areas.node[k]).norm();
+  });
+  std::vector<Index> corners;
+  for (Index k = 0; k < count; ++k) {
     if (ramp[k] > 0.0) {
       corners.push_back(k);
     }

@@ -7,9 +7,24 @@
 namespace lapilli {
 namespace {
 
-/// One pass of 1/4, 1/2, 1/4 along every axis. Ends are zero: the grid is padded.
+/// The node moved along its normal to where the smoothed fraction is one half, at most 1.5 cells.
 template <int Dim>
-void smooth(const Grid<Dim>& grid, std::vector<double>& values, std::vector<double>& scratch) {
+Vec3 projected(const Grid<Dim>& grid, Index node, const Vec<Dim>& normal, double fraction,
+               double slope) {
+  Vec3 position = Vec3::Zero();
+  double reach = 0.0;
+  if (slope > 0.0) {
+    reach = std::clamp((fraction - 0.5) / slope, -1.5, 1.5) * grid.cell_size();
+  }
+  position.template head<Dim>() = grid.node_position(node) + reach * normal;
+  return position;
+}
+
+}  // namespace
+
+template <int Dim>
+void smooth_nodes(const Grid<Dim>& grid, std::vector<double>& values,
+                  std::vector<double>& scratch) {
   scratch.resize(values.size());
   for (int axis = 0; axis < Dim; ++axis) {
     const Index stride = grid.node_stride(axis), count = grid.node_count();
@@ -25,21 +40,6 @@ void smooth(const Grid<Dim>& grid, std::vector<double>& values, std::vector<doub
     values.swap(scratch);
   }
 }
-
-/// The node moved along its normal to where the smoothed fraction is one half, at most 1.5 cells.
-template <int Dim>
-Vec3 projected(const Grid<Dim>& grid, Index node, const Vec<Dim>& normal, double fraction,
-               double slope) {
-  Vec3 position = Vec3::Zero();
-  double reach = 0.0;
-  if (slope > 0.0) {
-    reach = std::clamp((fraction - 0.5) / slope, -1.5, 1.5) * grid.cell_size();
-  }
-  position.template head<Dim>() = grid.node_position(node) + reach * normal;
-  return position;
-}
-
-}  // namespace
 
 template <int Dim>
 double NodalAreas<Dim>::negative_share() const {
@@ -112,7 +112,7 @@ NodalAreas<Dim> nodal_normal_areas(const Grid<Dim>& grid, const NodalSums<Dim>& 
                                    std::vector<Index> nodes, int smoothing, bool corner_fit) {
   std::vector<double> fraction = sums.fraction, scratch;
   for (int pass = 0; pass < smoothing; ++pass) {
-    smooth(grid, fraction, scratch);
+    smooth_nodes(grid, fraction, scratch);
   }
   const auto gradient = [&](Index node) {  // per cell
     Vec<Dim> slope;
@@ -192,6 +192,7 @@ template struct NodalAreas<1>;
 template struct NodalAreas<2>;
 template struct NodalAreas<3>;
 #define LAPILLI_INSTANTIATE(Dim)                                                              \
+  template void smooth_nodes(const Grid<Dim>&, std::vector<double>&, std::vector<double>&);   \
   template std::vector<Index> surface_nodes(const Grid<Dim>&, std::span<const unsigned char>, \
                                             std::span<const double>);                         \
   template NodalAreas<Dim> nodal_normal_areas(const Grid<Dim>&, const NodalSums<Dim>&,        \

@@ -79,6 +79,11 @@ template <int Dim>
 NodalAreas<Dim> nodal_normal_areas(const Grid<Dim>& grid, const NodalSums<Dim>& sums,
                                    std::vector<Index> nodes, int smoothing, bool corner_fit);
 
+/// One pass of 1/4, 1/2, 1/4 along every axis over values by node. The ends become zero: the grid
+/// is padded there.
+template <int Dim>
+void smooth_nodes(const Grid<Dim>& grid, std::vector<double>& values, std::vector<double>& scratch);
+
 /// Hand every negative area to the nearest positive nodes, keeping the sum.
 template <int Dim>
 std::vector<double> non_negative_areas(const Grid<Dim>& grid, std::span<const Index> nodes,
