@@ -13,6 +13,10 @@ export CCACHE_NOHASHDIR := 1
 export NO_MKDOCS_2_WARNING := 1
 export LAPILLI_BUILD := $(CURDIR)/$(BUILD)
 
+# In place: the compiled part is built beside its sources, by cmake below.
+INSTALL := pip install --quiet --no-build-isolation --config-settings=wheel.cmake=false \
+  --config-settings=editable.mode=inplace --editable
+
 .PHONY: help demo test verify bench extremes docs lint wheel stubs build clean
 
 help:  ## list the targets
@@ -22,13 +26,11 @@ build/.packages: tools/system_packages.sh
 	@PYTHON=$(PYTHON) tools/system_packages.sh
 	@mkdir -p build && touch $@
 
-# The package is installed in place: the compiled part is built below, beside its sources.
 .venv/.ready: pyproject.toml build/.packages
 	@test -x $(BIN)/python || $(PYTHON) -m venv .venv
 	@echo "Installing Python packages into .venv"
 	@pip install --quiet "scikit-build-core>=0.10" "pybind11>=3.0" "cmake>=3.25" ninja
-	@pip install --quiet --no-build-isolation --config-settings=wheel.cmake=false \
-	  --config-settings=editable.mode=inplace --editable '.[plot,test]'
+	@$(INSTALL) '.[plot,test]'
 	@touch $@
 
 $(BUILD)/build.ninja: .venv/.ready
@@ -73,15 +75,15 @@ extremes: build  ## the map of stable, inaccurate and refused steps
 lint: build  ## formatting, style and types
 	@tools/system_packages.sh clang-format
 	@git ls-files '*.cpp' '*.hpp' | xargs /usr/bin/clang-format --dry-run --Werror
-	@ruff check python tests/python
-	@ruff format --check python tests/python
+	@ruff check python tests/python tools bench
+	@ruff format --check python tests/python tools bench
 	@mypy
 
 stubs: build  ## write python/lapilli/_core.pyi anew
 	@python tools/write_stubs.py
 
 docs: build  ## the manual, in site/
-	@pip install --quiet '.[docs]' --no-build-isolation --config-settings=wheel.cmake=false --no-deps
+	@$(INSTALL) '.[docs]'
 	@mkdocs build --strict
 
 wheel: .venv/.ready  ## a wheel that runs without compiler and -dev packages, in dist/

@@ -54,11 +54,7 @@ class Frame:
 
 
 class Frames:
-    """The frames of a run, in the order of time.
-
-    >>> frames = Frames("ring.vtkhdf")                                      # doctest: +SKIP
-    >>> frames[-1]["temperature"].mean()                                    # doctest: +SKIP
-    """
+    """The frames of a run, in the order of time: ``Frames("ring.vtkhdf")[-1]`` is the last."""
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self.path = Path(path)

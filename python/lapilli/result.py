@@ -92,6 +92,9 @@ def run(
 ) -> Result:
     """Run a scene, or the scene of a TOML file, to its end.
 
+    Ctrl-C ends the run after its step, with frame and checkpoint written, and raises
+    ``KeyboardInterrupt``.
+
     Parameters
     ----------
     output
@@ -106,9 +109,6 @@ def run(
         Go on from the checkpoint beside ``output``.
     callback
         Called as ``callback(simulation)`` after each step; False ends the run early.
-
-    Ctrl-C ends the run after its step, with frame and checkpoint written, and raises
-    ``KeyboardInterrupt``.
     """
     scene = with_output(scene, output, every)
     path = Path(scene.output.path) if scene.output.path else None

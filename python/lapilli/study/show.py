@@ -60,19 +60,21 @@ def report(measurement: Measurement, done: int, all_of_them: int) -> None:
 
 
 def print_table(table: Table) -> None:
-    """One line a setting; * marks the Pareto front."""
+    """One line a setting, * marks the Pareto front; then why some settings have no error."""
     from rich.console import Console
     from rich.table import Table as Lines
 
     lines = Lines()
     for path, _ in table.rows[0].setting.changes:
-        lines.add_column(path)
+        lines.add_column(path, no_wrap=True)
     for title in ("RMS error", "largest", "CPU s", "spread", "steps", "points", "MB", ""):
-        lines.add_column(title, justify="right")
+        lines.add_column(title, justify="right", no_wrap=True)
+    reasons: dict[str, int] = {}
     for row in table.rows:
         values = [value for _, value in row.setting.changes]
         if row.error is None:
-            lines.add_row(*values, row.reason)
+            note = reasons.setdefault(row.reason, len(reasons) + 1)
+            lines.add_row(*values, f"{row.reason.partition(':')[0]} ({note})")
             continue
         lines.add_row(
             *values,
@@ -85,4 +87,7 @@ def print_table(table: Table) -> None:
             f"{(row.peak_memory or 0) / 1e6:.0f}",
             "*" if row.on_front else "",
         )
-    Console().print(lines)
+    console = Console(width=None if sys.stdout.isatty() else 140)
+    console.print(lines)
+    for reason, note in reasons.items():
+        console.print(f"({note}) {reason}", highlight=False, markup=False)
