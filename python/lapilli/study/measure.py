@@ -70,11 +70,12 @@ class Task:
         try:
             return self._measure()
         except ValueError as error:
-            return self._without_error(f"refused: {error}")
+            return self.without_error(f"refused: {error}")
         except RunError as error:
-            return self._without_error(f"failed: {error}")
+            return self.without_error(f"failed: {error}")
 
-    def _without_error(self, reason: str, cost: Cost | None = None) -> Measurement:
+    def without_error(self, reason: str, cost: Cost | None = None) -> Measurement:
+        """A measurement that says why there is none."""
         return Measurement(self.setting, self.repeat, None, None, reason, cost)
 
     def _measure(self) -> Measurement:
@@ -99,7 +100,7 @@ class Task:
             cpu, build_seconds, wall, simulation.step_index, len(simulation), _core.peak_memory()
         )
         if reason:
-            return self._without_error(reason, cost)
+            return self.without_error(reason, cost)
         return Measurement(self.setting, self.repeat, worst, largest, "", cost)
 
 

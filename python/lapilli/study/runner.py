@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import multiprocessing
-import os
 import pickle
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from multiprocessing.connection import Connection
 from typing import Protocol
 
 from lapilli.study.measure import Measurement, Task
@@ -29,23 +28,51 @@ class LocalPool:
         self.workers = workers
 
     def run(self, tasks: Sequence[Task]) -> Iterator[Measurement]:
-        """Every task once; a worker that dies is a failed setting."""
-        if not tasks:
-            return
-        require_picklable(tasks[0])
-        fresh = multiprocessing.get_context("spawn")
-        with ProcessPoolExecutor(self.workers, fresh, max_tasks_per_child=1) as pool:
-            waiting = {pool.submit(task): task for task in tasks}
+        """Every task once; a process that dies is a failed setting."""
+        if tasks:
+            require_picklable(tasks[0])
+        with ThreadPoolExecutor(self.workers) as threads:
+            waiting = [threads.submit(in_fresh_process, task) for task in tasks]
             try:
                 for done in as_completed(waiting):
                     yield done.result()
-            except BrokenProcessPool as error:
-                raise RuntimeError(
-                    "a worker process died, perhaps for lack of memory: use fewer workers; "
-                    "what was measured so far is kept"
-                ) from error
             finally:
-                pool.shutdown(wait=False, cancel_futures=True)
+                for future in waiting:
+                    future.cancel()
+
+
+def in_fresh_process(task: Task) -> Measurement:
+    """Do a task in a process of its own and wait for what comes of it."""
+    fresh = multiprocessing.get_context("spawn")
+    receive, send = fresh.Pipe(duplex=False)
+    process = fresh.Process(target=work, args=(task, send))
+    process.start()
+    send.close()
+    try:
+        outcome = receive.recv()
+    except EOFError:
+        process.join()
+        outcome = task.without_error(
+            f"failed: its process died (exit code {process.exitcode}), perhaps for lack of memory"
+        )
+    finally:
+        receive.close()
+        process.join()
+    if isinstance(outcome, BaseException):
+        raise outcome
+    assert isinstance(outcome, Measurement)
+    return outcome
+
+
+def work(task: Task, send: Connection) -> None:
+    """What the process does: errors of the program go back to the caller."""
+    try:
+        outcome: Measurement | BaseException = task()
+    except KeyboardInterrupt:
+        return
+    except Exception as error:
+        outcome = error
+    send.send(outcome)
 
 
 class InProcess:
@@ -55,11 +82,6 @@ class InProcess:
         """Every task once, in order."""
         for task in tasks:
             yield task()
-
-
-def processors() -> int:
-    """Processors this process may use."""
-    return len(os.sched_getaffinity(0))
 
 
 def require_picklable(task: Task) -> None:

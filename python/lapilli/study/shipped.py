@@ -73,6 +73,7 @@ class BoxReference:
 
 def radial(scene: Scene) -> RadialReference:
     """The scene's one body in its radial coordinate."""
+    from lapilli.references import thermal
     from lapilli.references.radial import RadialProblem
 
     body = only_body(scene)
@@ -84,7 +85,11 @@ def radial(scene: Scene) -> RadialReference:
             inner=inner,
             outer=outer,
             dimension=dimension,
-            at_inner=boundary_at(scene, on_axis(centre, inner)),
+            at_inner=(
+                thermal.INSULATED
+                if inner == 0 and dimension > 1  # the centre is no surface
+                else boundary_at(scene, on_axis(centre, inner))
+            ),
             at_outer=boundary_at(scene, on_axis(centre, outer)),
             initial=number(body.temperature, "the body's temperature"),
             medium=medium_of(body),

@@ -1,6 +1,7 @@
 """Error against cost: settings, references, tables, resuming."""
 
 import json
+import os
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,8 @@ from lapilli.study.measure import Cost, Measurement, reason_of_blow_up
 from lapilli.study.reference import interpolate, reference_of
 from lapilli.study.runner import InProcess
 from lapilli.study.table import Table
+
+UNIT = lp.Thermal(density=1, specific_heat=1, conductivity=1)
 
 
 def test_variations_are_parted_outside_brackets() -> None:
@@ -134,3 +137,38 @@ def test_frames_and_finer_runs_are_references(ring: lp.Scene, tmp_path: Path) ->
     assert 0 < np.sqrt(np.mean((finer(position, 1.0) - values) ** 2)) < 0.1
     with pytest.raises(ValueError, match="no state at 0\\.5 s"):
         finer(position, 0.5)
+
+
+def die(position, time):
+    """A reference that takes its process with it."""
+    os._exit(7)
+
+
+def test_a_process_that_dies_is_a_failed_setting(ring: lp.Scene) -> None:
+    table = tradeoff(ring, {"grid.cell": [1.0, 0.5]}, die, repeats=1, runner=LocalPool(2))
+    assert [row.error for row in table.rows] == [None, None]
+    assert "process died (exit code 7)" in table.rows[0].reason
+
+
+@pytest.mark.parametrize("dimension", [1, 2, 3])
+def test_radial_references_know_bar_disk_and_ball(dimension: int) -> None:
+    """A flux through the one surface: the mean rises by area over volume."""
+    shapes = {
+        1: lp.Box(lower=[0], upper=[2]),
+        2: lp.Disk(radius=2),
+        3: lp.Sphere(radius=2),
+    }
+    region = lp.Box(lower=[1] * dimension, upper=[3] * dimension) if dimension == 1 else None
+    scene = lp.Scene(
+        grid=lp.Grid(lower=[-3] * dimension, upper=[3] * dimension, cell=1),
+        bodies=[lp.Body(shape=shapes[dimension], material=UNIT)],
+        heat=lp.Heat(boundaries=[lp.Flux(value=1, region=region)]),
+        time=lp.Time(end=1),
+    )
+    reference = reference_of("radial", scene, "temperature", [1.0])
+    radius = (np.arange(2000) + 0.5) / 1000
+    places = np.zeros((2000, dimension))
+    places[:, 0] = radius
+    mean = np.average(reference(places, 1.0), weights=radius ** (dimension - 1))
+    # the midpoint rule on 2000 rings is good to 1e-7
+    assert mean == pytest.approx(dimension / 2, rel=1e-5)
