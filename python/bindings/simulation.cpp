@@ -9,14 +9,10 @@
 namespace lapilli::python {
 namespace {
 
-/// A view of `rows` x `components` numbers that keeps `owner` alive; users may not write to it,
+/// A view of numbers that keeps `owner` alive; users may not write to it,
 /// because what a physics evolves need not be what it shows.
-py::array_t<double> view(const py::object& owner, std::span<const double> values, Index rows,
-                         int components) {
-  std::vector<py::ssize_t> shape = {rows};
-  if (components > 1) {
-    shape.push_back(components);
-  }
+py::array_t<double> view(const py::object& owner, std::span<const double> values,
+                         const std::vector<py::ssize_t>& shape) {
   py::array_t<double> array(shape, values.data(), owner);
   array.attr("flags").attr("writeable") = false;
   return array;
@@ -40,17 +36,19 @@ py::object field(const py::object& self, const std::string& name) {
   auto& simulation = self.cast<PythonSimulation&>();
   Points& points = simulation.get().points();
   if (name == "position") {
-    return view(self, points.position(), points.size(), points.dimension());
+    return view(self, points.position(), {points.size(), points.dimension()});
   }
   if (name == "volume") {
-    return view(self, points.volume(), points.size(), 1);
+    return view(self, points.volume(), {points.size()});
   }
   if (name == "id" || name == "body") {
     return view(self, name == "id" ? points.id() : points.body());
   }
   for (const Field& candidate : simulation.get().fields()) {
     if (candidate.name == name) {
-      return view(self, candidate.values, points.size(), candidate.components);
+      return candidate.components == 1
+                 ? view(self, candidate.values, {points.size()})
+                 : view(self, candidate.values, {points.size(), candidate.components});
     }
   }
   throw py::key_error(unknown_name("field", name, field_names(simulation)));

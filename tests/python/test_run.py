@@ -156,3 +156,15 @@ def test_two_threads_cannot_step_one_simulation(ring: lp.Scene) -> None:
     thread.join()
     assert len(said) == 2
     assert "another thread" in said[1]
+
+
+def test_positions_have_rows_and_columns_in_one_dimension_too(steel: lp.Thermal) -> None:
+    scene = lp.Scene(
+        grid=lp.Grid(lower=[0], upper=[1], cell=0.25),
+        bodies=[lp.Body(shape=lp.Box(lower=[0], upper=[1]), material=steel)],
+        heat=lp.Heat(),
+        time=lp.Time(end=1),
+    )
+    simulation = lp.Simulation(scene)
+    assert simulation.position.shape == (len(simulation), 1)
+    assert simulation["temperature"].shape == (len(simulation),)
