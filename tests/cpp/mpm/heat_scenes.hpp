@@ -47,6 +47,12 @@ inline HeatBody unit_body(int per_axis, double temperature = 0.0) {
   return body;
 }
 
+/// One body on a grid with default settings.
+template <int Dim>
+HeatProblem<Dim> problem_on(const Grid<Dim>& grid, const HeatBody& body) {
+  return {grid, ShapeFunction::gimp, {body}, HeatSettings{}, DistanceFunction{}, false};
+}
+
 template <int Dim>
 Simulation simulate(std::unique_ptr<Points> points, const HeatProblem<Dim>& problem, double step,
                     double end) {

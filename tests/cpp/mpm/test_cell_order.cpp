@@ -41,9 +41,8 @@ void strips_of_a_parity_stay_apart(const Shape& shape) {
     std::set<Index> touched;
     for (Index row = begin; row < end; ++row) {
       const Weights<Dim, Shape> weights(grid, shape, points->position().data() + row * Dim);
-      weights.for_each_node(grid, [&](Index node, double, const Vec<Dim>&) {
-        touched.insert(node);
-      });
+      weights.for_each_node(grid,
+                            [&](Index node, double, const Vec<Dim>&) { touched.insert(node); });
     }
     for (const Index node : touched) {
       CHECK(seen[parity].insert(node).second);

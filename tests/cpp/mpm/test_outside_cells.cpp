@@ -98,7 +98,8 @@ TEST_CASE("One point a cell, turned: the cells that a lattice misses are not out
   for (const double angle : {10.0, 20.0, 30.0, 45.0}) {
     Layout layout;
     layout.angle = angle;
-    auto points = scatter<2>(Vec<2>(0.1, 0.2), 5.0, 1.0, layout, [](const Vec<2>&) { return true; });
+    auto points =
+        scatter<2>(Vec<2>(0.1, 0.2), 5.0, 1.0, layout, [](const Vec<2>&) { return true; });
     const Mat<2> back = scenes::turn<2>(-angle);
     const DistanceFunction distance = [&](const Vec3& x) {
       return (back * (x.head<2>() - Vec<2>(0.1, 0.2))).cwiseAbs().maxCoeff() - 5.0;
@@ -122,9 +123,8 @@ TEST_CASE("One point a cell, turned: the cells that a lattice misses are not out
 }
 
 TEST_CASE("Outside cells survive a checkpoint") {
-  auto points = scatter<2>(Vec<2>::Zero(), 3.0, 0.5, {}, [](const Vec<2>& y) {
-    return y.norm() > 1.5;
-  });
+  auto points =
+      scatter<2>(Vec<2>::Zero(), 3.0, 0.5, {}, [](const Vec<2>& y) { return y.norm() > 1.5; });
   OutsideCells<2> cells(grid, 1), again(grid, 1);
   cells.start(*points, {});
   Archive archive;

@@ -52,8 +52,8 @@ void sums_are_exact(const Shape& shape) {
     });
     CHECK(std::abs(one - 1.0) < 1e-14);
     CHECK(slope.norm() < 1e-12);
-    CHECK((place - x).norm() < 1e-14);                       // linear fields are reproduced
-    CHECK((unit - Mat<Dim>::Identity()).norm() < 1e-12);     // and so is their gradient
+    CHECK((place - x).norm() < 1e-14);                    // linear fields are reproduced
+    CHECK((unit - Mat<Dim>::Identity()).norm() < 1e-12);  // and so is their gradient
     CHECK(least >= 0.0);
   }
 }
@@ -100,8 +100,8 @@ TEST_CASE("GIMP of half-width 1/2 is the quadratic B-spline") {
   }
 }
 
-template <int Dim, class Shape>
-void patches_equal_weights(const std::vector<Shape>& shape) {
+template <int Dim, class Shape, class ShapeOf>
+void patches_equal_weights(const ShapeOf& shape_of, Index bodies) {
   const Grid<Dim> grid(Vec<Dim>::Constant(0.1), Vec<Dim>::Constant(1.3), 0.2);
   scenes::Uniform uniform(11);
   std::vector<double> position;
@@ -110,9 +110,8 @@ void patches_equal_weights(const std::vector<Shape>& shape) {
     for (int axis = 0; axis < Dim; ++axis) {
       position.push_back(uniform.between(0.1, 1.3));
     }
-    body.push_back(point % static_cast<Index>(shape.size()));
+    body.push_back(point % bodies);
   }
-  const auto shape_of = [&](Index b) -> const Shape& { return shape[b]; };
   const PatchNodes<Dim, Shape> nodes(grid);
   int seen = 0;
   for_points(grid, 0, 63, position.data(), shape_of, body.data(), [&](Index row, const auto& at) {
@@ -155,15 +154,18 @@ void patches_equal_weights(const std::vector<Shape>& shape) {
 }
 
 TEST_CASE("Weights taken four points at a time are those of each point") {
-  patches_equal_weights<1, LinearShape>({LinearShape{}});
-  patches_equal_weights<2, LinearShape>({LinearShape{}});
-  patches_equal_weights<3, LinearShape>({LinearShape{}});
-  const std::vector<GimpShape> one{GimpShape(0.25)}, two{GimpShape(0.25), GimpShape(0.125)};
-  patches_equal_weights<1, GimpShape>(one);
-  patches_equal_weights<2, GimpShape>(one);
-  patches_equal_weights<3, GimpShape>(one);
-  patches_equal_weights<2, GimpShape>(two);
-  patches_equal_weights<3, GimpShape>(two);
+  const OneShape<LinearShape> linear{LinearShape{}};
+  patches_equal_weights<1, LinearShape>(linear, 1);
+  patches_equal_weights<2, LinearShape>(linear, 1);
+  patches_equal_weights<3, LinearShape>(linear, 1);
+  const OneShape<GimpShape> one{GimpShape(0.25)};
+  patches_equal_weights<1, GimpShape>(one, 1);
+  patches_equal_weights<2, GimpShape>(one, 1);
+  patches_equal_weights<3, GimpShape>(one, 1);
+  const std::vector<GimpShape> shapes{GimpShape(0.25), GimpShape(0.125)};
+  const auto two = [&](Index body) -> const GimpShape& { return shapes[body]; };
+  patches_equal_weights<2, GimpShape>(two, 2);
+  patches_equal_weights<3, GimpShape>(two, 2);
 }
 
 TEST_CASE("A grid says how it counts and what it holds") {
