@@ -20,6 +20,25 @@ Vec3 projected(const Grid<Dim>& grid, Index node, const Vec<Dim>& normal, double
   return position;
 }
 
+/// Call body(node) for the nodes within `reach` cells along every axis.
+template <int Dim, class Body>
+void for_each_in_block(const Grid<Dim>& grid, Index centre, int reach, const Body& body) {
+  const auto at = grid.node_at(centre);
+  const int width = 2 * reach + 1;
+  const int block = Dim == 1 ? width : Dim == 2 ? width * width : width * width * width;
+  for (int b = 0; b < block; ++b) {
+    auto node = at;
+    bool inside = true;
+    for (int axis = 0, rest = b; axis < Dim; ++axis, rest /= width) {
+      node[axis] += rest % width - reach;
+      inside = inside && node[axis] >= 0 && node[axis] < grid.nodes(axis);
+    }
+    if (inside) {
+      body(grid.node_index(node));
+    }
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -148,42 +167,64 @@ template <int Dim>
 std::vector<double> non_negative_areas(const Grid<Dim>& grid, std::span<const Index> nodes,
                                        std::span<const double> area) {
   std::vector<double> positive(area.begin(), area.end());
+  std::vector<std::size_t> needy;
+  std::vector<double> missing(positive.size(), 0.0);
+  for (std::size_t k = 0; k < positive.size(); ++k) {
+    if (positive[k] < 0.0) {
+      needy.push_back(k);
+      missing[k] = -positive[k];
+      positive[k] = 0.0;
+    }
+  }
   const auto row_of = [&](Index node) -> Index {
     const auto found = std::lower_bound(nodes.begin(), nodes.end(), node);
     return found != nodes.end() && *found == node ? found - nodes.begin() : -1;
   };
-  for (std::size_t k = 0; k < positive.size(); ++k) {
-    double missing = -std::min(positive[k], 0.0);
-    if (missing == 0.0) {
-      continue;
-    }
-    positive[k] = 0.0;
-    const auto at = grid.node_at(nodes[k]);
-    for (int reach = 1; reach <= 8 && missing > 0.0; ++reach) {
-      // The block of nodes within `reach`; what inner blocks gave is already taken.
-      std::vector<Index> givers;
-      double available = 0.0;
-      const int width = 2 * reach + 1;
-      const int block = Dim == 1 ? width : Dim == 2 ? width * width : width * width * width;
-      for (int b = 0; b < block; ++b) {
-        auto node = at;
-        bool inside = true;
-        for (int axis = 0, rest = b; axis < Dim; ++axis, rest /= width) {
-          node[axis] += rest % width - reach;
-          inside = inside && node[axis] >= 0 && node[axis] < grid.nodes(axis);
-        }
-        const Index row = inside ? row_of(grid.node_index(node)) : -1;
+  constexpr int farthest = 8;  // cells; what is left then comes from everywhere
+  for (int reach = 1; reach <= farthest + 1 && !needy.empty(); ++reach) {
+    // All ask at once, so that the order of the nodes does not matter: each asks the nodes within
+    // reach in proportion to their area, and who is asked for more than it has gives its all.
+    std::vector<std::vector<Index>> givers(needy.size());
+    std::vector<double> available(needy.size(), 0.0), asked(positive.size(), 0.0);
+    for (std::size_t n = 0; n < needy.size(); ++n) {
+      const auto offer = [&](Index row) {
         if (row >= 0 && positive[row] > 0.0) {
-          givers.push_back(row);
-          available += positive[row];
+          givers[n].push_back(row);
+          available[n] += positive[row];
         }
+      };
+      if (reach > farthest) {
+        for (std::size_t row = 0; row < positive.size(); ++row) {
+          offer(static_cast<Index>(row));
+        }
+      } else {
+        for_each_in_block(grid, nodes[needy[n]], reach, [&](Index node) { offer(row_of(node)); });
       }
-      const double share = available > missing ? missing / available : 1.0;
-      for (const Index row : givers) {
-        positive[row] -= share * positive[row];
+      for (const Index row : givers[n]) {
+        asked[row] += missing[needy[n]] * positive[row] / available[n];
       }
-      missing = available > missing ? 0.0 : missing - available;
     }
+    std::vector<double> given(positive.size(), 0.0);
+    std::vector<std::size_t> still;
+    for (std::size_t n = 0; n < needy.size(); ++n) {
+      double& wanted = missing[needy[n]];
+      double got = 0.0;
+      for (const Index row : givers[n]) {
+        const double share = wanted * positive[row] / available[n];
+        const double gives =
+            asked[row] > positive[row] ? share * positive[row] / asked[row] : share;
+        given[row] += gives;
+        got += gives;
+      }
+      wanted -= got;
+      if (wanted > 1e-15 * got) {
+        still.push_back(needy[n]);
+      }
+    }
+    for (std::size_t row = 0; row < positive.size(); ++row) {
+      positive[row] = std::max(positive[row] - given[row], 0.0);
+    }
+    needy = std::move(still);
   }
   return positive;
 }

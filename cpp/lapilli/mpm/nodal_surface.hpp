@@ -19,7 +19,9 @@ using DistanceFunction = std::function<double(const Vec3&)>;
 /// Cells without points are closed by one cell, body by body (so that two bodies one cell apart
 /// stay apart), and flooded from the border of the grid and from what was outside before. At the
 /// start, an empty cell whose centre lies outside every body is outside too: the hole of a ring,
-/// a pore.
+/// a pore. What the closing covers from the start (a pore or slot of one or two cells) stays
+/// outside as long as no point enters; what it covers later, one cell wide between points, was
+/// swept by points that lie far apart and is inside.
 template <int Dim>
 class OutsideCells {
  public:
@@ -28,7 +30,7 @@ class OutsideCells {
   void start(const Points& points, const DistanceFunction& distance);
   void follow(const Points& points);
 
-  /// One flag a cell of the padded grid.
+  /// One flag a cell of the padded grid, zero inside.
   std::span<const unsigned char> flags() const { return outside_; }
 
   void save(Archive& archive, const std::string& name) const;
@@ -37,7 +39,11 @@ class OutsideCells {
  private:
   void mark_occupied(const Points& points);
   void close();
+  void take_in_swept();
   void flood();
+
+  /// Of outside_: outside and open to the closing, or outside though the closing covers it.
+  static constexpr unsigned char open = 1, narrow = 2;
 
   Grid<Dim> grid_;
   int bodies_;

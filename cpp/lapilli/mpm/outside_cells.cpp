@@ -109,6 +109,9 @@ void OutsideCells<Dim>::flood() {
       }
     }
   }
+  for (const Index cell : queue_) {
+    outside_[cell] = closed_[cell] != 0 ? narrow : open;
+  }
 }
 
 template <int Dim>
@@ -142,9 +145,35 @@ void OutsideCells<Dim>::follow(const Points& points) {
   mark_occupied(points);
   close();
   for (Index cell = 0; cell < grid_.cell_count(); ++cell) {
-    outside_[cell] = outside_[cell] != 0 && occupied_[cell] == 0;
+    outside_[cell] = occupied_[cell] != 0 ? 0 : outside_[cell];
   }
+  take_in_swept();
   flood();
+}
+
+template <int Dim>
+void OutsideCells<Dim>::take_in_swept() {
+  // Two passes: rows of cells between points, then where such rows cross.
+  const auto is_inside = [&](Index cell) { return closed_[cell] != 0 && outside_[cell] == 0; };
+  std::vector<Index> swept;
+  for (int pass = 0; pass < 2; ++pass) {
+    swept.clear();
+    for (Index cell = 0; cell < grid_.cell_count(); ++cell) {
+      if (outside_[cell] != open || closed_[cell] == 0) {
+        continue;
+      }
+      for (int axis = 0; axis < Dim; ++axis) {
+        const Index stride = grid_.cell_stride(axis);
+        if (is_inside(cell - stride) && is_inside(cell + stride)) {
+          swept.push_back(cell);
+          break;
+        }
+      }
+    }
+    for (const Index cell : swept) {
+      outside_[cell] = 0;
+    }
+  }
 }
 
 template <int Dim>

@@ -21,6 +21,7 @@ class StencilMatrix {
   void add(Index place, const std::array<int, Dim>& step, double value) {
     coefficient_[slot(step) * rows_->size() + place] += value;
   }
+  double diagonal(Index place) const { return coefficient_[place]; }
   /// Whether a step leads to the node itself or to a later one.
   static bool is_later(const std::array<int, Dim>& step) {
     for (int axis = Dim - 1; axis > 0; --axis) {

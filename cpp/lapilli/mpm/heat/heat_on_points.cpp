@@ -50,7 +50,6 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
   }
   if (!laws_.empty()) {
     surface_ = std::make_unique<HeatSurface<Dim>>(points_, problem_);
-    slope_.assign(grid_.capacity.size(), 0.0);
   }
   if (HeatSource<Dim>::is_present(problem_.bodies)) {
     source_.emplace(problem_.bodies);
@@ -135,14 +134,6 @@ void HeatOnPoints<Dim>::exchange_with_surroundings(const Step& step) {
     return;
   }
   laws_.evaluate(grid_.temperature, step.time);
-  for (const auto& n : laws_.nodes()) {
-    for (std::size_t k = 0; k < n.node.size(); ++k) {
-      grid_.rate[n.node[k]] += n.rate[k];
-      if (problem_.settings.implicit_exchange) {
-        slope_[n.node[k]] += n.slope[k];
-      }
-    }
-  }
 }
 
 template <int Dim>
@@ -168,28 +159,32 @@ void HeatOnPoints<Dim>::exchange_at_points(const Step& step) {
 
 template <int Dim>
 void HeatOnPoints<Dim>::solve_nodes(double step) {
-  // (C + dt slope) dT = dt rate: laws that depend on T act at the end of the step.
-  const double* slope = slope_.empty() ? nullptr : slope_.data();
-  grid_.for_active_nodes([&, step, slope](Index begin, Index end) {
+  grid_.for_active_nodes([&, step](Index begin, Index end) {
     const double* capacity = grid_.capacity.data();
     const double* rate = grid_.rate.data();
     double* increment = grid_.increment.data();
     for (Index node = begin; node < end; ++node) {
-      const double resistance = capacity[node] + (slope != nullptr ? step * slope[node] : 0.0);
-      increment[node] = capacity[node] > 0.0 ? step * rate[node] / resistance : 0.0;
+      increment[node] = capacity[node] > 0.0 ? step * rate[node] / capacity[node] : 0.0;
     }
   });
-  if (laws_.empty() || problem_.settings.method == FluxMethod::particle) {
+  if (problem_.settings.method == FluxMethod::particle) {
     return;
   }
   for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
     const auto& n = laws_.nodes()[law];
-    const bool implicit = problem_.settings.implicit_exchange;
     double heat = 0.0;
     for (std::size_t k = 0; k < n.node.size(); ++k) {
-      const double slope_here = implicit ? n.slope[k] : 0.0;
-      heat += step * (n.rate[k] - slope_here * grid_.increment[n.node[k]]);
-      slope_[n.node[k]] = 0.0;
+      const double capacity = grid_.capacity[n.node[k]];
+      if (!(capacity > 0.0)) {
+        continue;
+      }
+      // The law at the end of the step: (C + dt slope) dT = dt (others + rate). In this form the
+      // heat stays exact where a stiff law leaves a small difference of large rates.
+      const double slope = problem_.settings.implicit_exchange ? n.slope[k] : 0.0;
+      double& increment = grid_.increment[n.node[k]];
+      const double rise = step * (n.rate[k] - slope * increment) / (capacity + step * slope);
+      increment += rise;
+      heat += capacity * rise;
     }
     laws_.book(law, heat);
   }

@@ -65,7 +65,6 @@ class HeatOnPoints final : public Physics {
   HeatLaws<Dim> laws_;
   std::unique_ptr<HeatSurface<Dim>> surface_;
   std::optional<HeatSource<Dim>> source_;
-  std::vector<double> slope_;  // of the laws by node, W/K; empty without laws
   StepLimit limit_;
   Index limited_ordering_ = -1;  // ordering that limit_ was bounded for
   double initial_ = 0.0;         // J

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/nodal_assembly.hpp"
 
 namespace lapilli {
@@ -41,6 +42,26 @@ double fastest_rate(const StencilMatrix<Dim>& conduction, std::span<const double
 }
 
 template <int Dim>
+double fastest_node(const StencilMatrix<Dim>& conduction, std::span<const double> lumped,
+                    std::span<const double> extra) {
+  double fastest = 0.0;
+  for (std::size_t place = 0; place < lumped.size(); ++place) {
+    if (lumped[place] > 0.0) {
+      const double rate = conduction.diagonal(static_cast<Index>(place)) + extra[place];
+      fastest = std::max(fastest, rate / lumped[place]);
+    }
+  }
+  return fastest;
+}
+
+double carried_limit(HeatTransfer transfer, ShapeFunction shape) {
+  if (transfer == HeatTransfer::pic) {
+    return 0.7;
+  }
+  return shape == ShapeFunction::bspline ? 1.5 : 1.0;
+}
+
+template <int Dim>
 StepLimit explicit_step_limit(const Points& points, const HeatProblem<Dim>& problem,
                               const HeatCoefficients<Dim>& coefficients,
                               std::span<const double> capacity, HeatTransfer transfer) {
@@ -59,9 +80,10 @@ StepLimit explicit_step_limit(const Points& points, const HeatProblem<Dim>& prob
       limit.automatic = 0.6 * limit.hard;
       limit.reason = "explicit heat with carried gradients: 0.4 h^2/alpha";
     } else {
-      limit.hard = unit;
-      limit.automatic = 0.8 * unit;
-      limit.reason = "explicit heat, FLIP or PIC: h^2/alpha";
+      limit.hard = carried_limit(transfer, problem.shape) * unit;
+      limit.automatic = 0.8 * limit.hard;
+      limit.reason = message("explicit heat, ", name_of(transfer), ": ",
+                             carried_limit(transfer, problem.shape), " h^2/alpha");
     }
     return limit;
   }
@@ -69,13 +91,16 @@ StepLimit explicit_step_limit(const Points& points, const HeatProblem<Dim>& prob
       points, problem, coefficients, std::vector<double>(capacity.begin(), capacity.end()), false);
   const std::vector<double> none(operators.lumped.size(), 0.0);
   limit.hard = 2.0 / fastest_rate(*operators.conduction, operators.lumped, none);
-  limit.automatic = 0.6 * limit.hard;
+  limit.automatic =
+      std::min(0.6 * limit.hard, 1.0 / fastest_node(*operators.conduction, operators.lumped, none));
   limit.reason = "explicit heat, several materials: Gershgorin bound of the nodal operator";
   return limit;
 }
 
 #define LAPILLI_INSTANTIATE(Dim)                                                                \
   template double fastest_rate(const StencilMatrix<Dim>&, std::span<const double>,              \
+                               std::span<const double>);                                        \
+  template double fastest_node(const StencilMatrix<Dim>&, std::span<const double>,              \
                                std::span<const double>);                                        \
   template StepLimit explicit_step_limit(const Points&, const HeatProblem<Dim>&,                \
                                          const HeatCoefficients<Dim>&, std::span<const double>, \
