@@ -70,7 +70,7 @@ bench: build  ## throughput, and error against cost: the tables of the README
 	@python bench/run.py
 
 extremes: build  ## the map of stable, inaccurate and refused steps
-	@python bench/extremes.py
+	@lapilli extremes --plot demo --json demo/extremes.json
 
 lint: build  ## formatting, style and types
 	@tools/system_packages.sh clang-format

@@ -1,4 +1,4 @@
-"""The command line: lapilli run, check, reproduce, tradeoff, plot, merge, keys."""
+"""The command line: lapilli run, check, reproduce, tradeoff, extremes, plot, merge, keys."""
 
 from __future__ import annotations
 
@@ -84,6 +84,7 @@ def parser() -> argparse.ArgumentParser:
 
     _add_tradeoff(commands)
     _add_reproduce(commands)
+    _add_extremes(commands)
     return top
 
 
@@ -149,6 +150,20 @@ def _add_reproduce(commands: argparse._SubParsersAction[Parser]) -> None:
     reproduce.add_argument("--json", metavar="FILE", help="write the rows")
     reproduce.add_argument("--plot", metavar="DIR", help="draw the paper's figures")
     reproduce.set_defaults(command=reproduce_command)
+
+
+def _add_extremes(commands: argparse._SubParsersAction[Parser]) -> None:
+    extremes = commands.add_parser("extremes", help="map stable, inaccurate and refused steps")
+    extremes.add_argument(
+        "--transfer",
+        action="append",
+        choices=["kept", "flip", "pic", "tpic", "affine"],
+        help="one transfer; may be repeated; all unless given",
+    )
+    extremes.add_argument("--quick", action="store_true", help="four steps a case")
+    extremes.add_argument("--json", metavar="FILE", help="write every step")
+    extremes.add_argument("--plot", metavar="DIR", help="draw the map")
+    extremes.set_defaults(command=extremes_command)
 
 
 def load(given: argparse.Namespace) -> Scene:
@@ -237,6 +252,13 @@ def reproduce_command(given: argparse.Namespace) -> int:
 
     kept = show_cases(given.case, given.list, given.quick, given.json, given.plot)
     return FINISHED if kept else BAR_MISSED
+
+
+def extremes_command(given: argparse.Namespace) -> int:
+    """lapilli extremes"""
+    from lapilli.extremes.show import show_extremes
+
+    return FINISHED if show_extremes(given) else BAR_MISSED
 
 
 if __name__ == "__main__":

@@ -1,0 +1,81 @@
+"""Scenes that try the stability of heat: scattered points, stiff surfaces, contrasts, motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import lapilli as lp
+
+CELL = 1.0  # m; conductivity and capacity are 1, so that h^2/alpha is 1 s
+HALF = 6.0  # half the side of the square, m
+TRANSFERS = ("kept", "flip", "pic", "tpic", "affine")
+
+
+@dataclass(frozen=True)
+class Case:
+    """A scene between temperatures 0 and 1 whose step is to be tried."""
+
+    name: str
+    transfer: str
+    scene: lp.Scene
+    lattice: bool  # points on a lattice along the grid: the automatic step must not be timid
+
+
+def all_cases(transfers: tuple[str, ...] = TRANSFERS) -> Iterator[Case]:
+    """Every case with every transfer that it allows."""
+    for transfer in transfers:
+        for biot in (1e-6, 1.0, 1e6):
+            yield Case(f"lattice, Biot {biot:g}", transfer, square(transfer, biot), True)
+        for name, layout in LAYOUTS.items():
+            for biot in (1.0, 1e6):
+                scene = square(transfer, biot, **layout)
+                yield Case(f"{name}, Biot {biot:g}", transfer, scene, False)
+        for conductivity, capacity in ((1e6, 1.0), (1e-6, 1.0), (1.0, 1e6), (1.0, 1e-6)):
+            name = f"halves, conductivity {conductivity:g}, capacity {capacity:g}"
+            yield Case(name, transfer, halves(transfer, conductivity, capacity), False)
+        if transfer != "kept":
+            yield Case("swirl, Biot 1", transfer, swirl(transfer), False)
+
+
+LAYOUTS: dict[str, dict[str, Any]] = {
+    "turned by 20 degrees": {"rotation": 20.0},
+    "jittered by 0.25": {"jitter": 0.25},
+    "random": {"random": True},
+    "1e-9 from a node": {"translation": [0.25 + 1e-9, 0.25 + 1e-9]},
+}
+
+
+def square(transfer: str, biot: float, **layout: Any) -> lp.Scene:
+    """A cold square in surroundings at 1."""
+    shape = lp.Box(lower=[-HALF, -HALF], upper=[HALF, HALF])
+    return _scene([_body(shape, **layout)], transfer, biot)
+
+
+def halves(transfer: str, conductivity: float, capacity: float) -> lp.Scene:
+    """A square of two materials that meet in the middle of a cell."""
+    left = lp.Box(lower=[-HALF, -HALF], upper=[0.5, HALF])
+    right = lp.Box(lower=[0.5, -HALF], upper=[HALF, HALF])
+    other = _body(right, conductivity=conductivity, capacity=capacity)
+    return _scene([_body(left), other], transfer, 1.0)
+
+
+def swirl(transfer: str) -> lp.Scene:
+    """A disc that a swirl shears."""
+    motion = lp.Swirl(revolutions_per_second=0.04, radius=HALF)
+    return _scene([_body(lp.Disk(radius=HALF), motion=motion)], transfer, 1.0)
+
+
+def _body(
+    shape: lp.Shape, conductivity: float = 1.0, capacity: float = 1.0, **layout: Any
+) -> lp.Body:
+    material = lp.Thermal(density=1.0, specific_heat=capacity, conductivity=conductivity)
+    return lp.Body(shape=shape, material=[material], temperature=0.0, points_per_cell=4, **layout)
+
+
+def _scene(bodies: list[lp.Body], transfer: str, biot: float) -> lp.Scene:
+    grid = lp.Grid(lower=[-11.0, -11.0], upper=[11.0, 11.0], cell=CELL)
+    heat = lp.Heat(boundaries=[lp.Convection(coefficient=biot / CELL, ambient=1.0)])
+    scene = lp.Scene(grid=grid, bodies=bodies, heat=heat, time=lp.Time(end=1.0))
+    return scene.set(f"heat.transfer={transfer}")

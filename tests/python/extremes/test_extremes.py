@@ -1,0 +1,33 @@
+"""The map of steps tells stable from refused."""
+
+import pytest
+
+from lapilli.cli import main
+from lapilli.extremes import Case, Outcome, all_cases, measure
+from lapilli.extremes.cases import square
+
+
+def test_automatic_step_is_stable_and_steps_past_the_limit_are_refused() -> None:
+    case = Case("lattice", "flip", square("flip", 1.0), True)
+    rows = {row.factor: row for row in measure(case, (0.5, 1.0, 4.0))}
+    assert rows[0.5].outcome is Outcome.STABLE
+    assert rows[1.0].outcome is Outcome.STABLE
+    assert rows[4.0].outcome is Outcome.REFUSED
+    assert "limit" in rows[4.0].reason
+    # Steps are compared with fine ones: the larger step errs more.
+    assert rows[0.5].error is not None
+    assert rows[1.0].error is not None
+    assert 0.0 < rows[0.5].error < rows[1.0].error
+
+
+def test_every_transfer_has_cases_and_only_moving_ones_swirl() -> None:
+    cases = list(all_cases())
+    assert len({(case.transfer, case.name) for case in cases}) == len(cases)
+    assert {case.transfer for case in cases} == {"kept", "flip", "pic", "tpic", "affine"}
+    assert not any(case.transfer == "kept" and "swirl" in case.name for case in cases)
+
+
+def test_command_rejects_an_unknown_transfer() -> None:
+    with pytest.raises(SystemExit) as stop:
+        main(["extremes", "--transfer", "nothing"])
+    assert stop.value.code == 2
