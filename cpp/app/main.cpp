@@ -1,6 +1,9 @@
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 
 #include "lapilli/core/parallel.hpp"
@@ -34,6 +37,16 @@ volatile std::sig_atomic_t stop_asked = 0;
 void ask_to_stop(int signal) {
   stop_asked = 1;
   std::signal(signal, SIG_DFL);
+}
+
+// Threads that spin while they wait take the cores from whoever shares the machine. The OpenMP
+// library reads its policy when it is loaded, so the program starts itself again with it set; where
+// that is not possible it goes on as it is.
+void wait_without_spinning(char** arguments) {
+  if (std::getenv("OMP_WAIT_POLICY") == nullptr) {
+    setenv("OMP_WAIT_POLICY", "passive", 0);
+    execv("/proc/self/exe", arguments);
+  }
 }
 
 void define_arguments(CLI::App& app, Arguments& given) {
@@ -113,6 +126,7 @@ int report(const std::exception& error, ExitCode code) {
 }  // namespace
 
 int main(int count, char** words) {
+  wait_without_spinning(words);
   CLI::App app("Runs a scene: heat and large deformation with particles.", "lapilli-run");
   Arguments given;
   define_arguments(app, given);
