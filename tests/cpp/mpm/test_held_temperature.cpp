@@ -64,7 +64,7 @@ TEST_CASE("Temperatures held at both radii of a ring reach the logarithm at orde
       simulation.run_until(4e3);
       const double now = error(
           simulation, h, [](double r) { return std::log(r / outer) / std::log(inner / outer); });
-      told += " " + std::to_string(now);
+      told += message(" ", now);
       CHECK(std::abs(simulation.ledgers().front().residual()) <= 1e-12);
       if (h == 0.2) {
         coarse = now;

@@ -12,6 +12,12 @@ bool HeatSource<Dim>::is_present(const std::vector<HeatBody>& bodies) {
 }
 
 template <int Dim>
+bool HeatSource<Dim>::depends_on_state() const {
+  return std::any_of(bodies_.begin(), bodies_.end(),
+                     [](const HeatBody& body) { return body.source.is_function(); });
+}
+
+template <int Dim>
 void HeatSource<Dim>::assign(const Points& points, const HeatProblem<Dim>& problem,
                              const std::vector<double>& half_width) {
   const Grid<Dim>& grid = problem.grid;

@@ -14,6 +14,9 @@ class HeatSource {
 
   explicit HeatSource(const std::vector<HeatBody>& bodies) : bodies_(bodies) {}
 
+  /// Whether a source is a function of the temperature.
+  bool depends_on_state() const;
+
   /// Node volumes sum V S of every body at the points' present places.
   void assign(const Points& points, const HeatProblem<Dim>& problem,
               const std::vector<double>& half_width);
