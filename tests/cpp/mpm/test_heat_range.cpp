@@ -44,22 +44,19 @@ Trial<2> convective(const std::string& layout, HeatTransfer transfer, double bio
   return trial;
 }
 
-// Areas are not negative and the law acts at the end of the step. PIC and `kept` average, so that
-// rounding is left: 1e-9 of the span at Biot numbers to 1e6. FLIP adds increments to what points
-// have: past Biot numbers of 1 it strays, by 0.04 at the worst (0.8 h^2/alpha, jittered square).
+// Areas are not negative, the law acts at the end of the step, and with FLIP points follow strong
+// exchange as nodes do: what is left is rounding, 1e-9 of the span at Biot numbers to 1e6.
 TEST_CASE("Convection keeps temperatures between start and surroundings") {
   const std::string layout = GENERATE(as<std::string>{}, "lattice", "rotated", "jittered");
   const HeatTransfer transfer = GENERATE(HeatTransfer::pic, HeatTransfer::flip, HeatTransfer::kept);
-  for (const double biot : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
+  for (const double biot : {1e-6, 1e-3, 1.0, 3.0, 10.0, 1e3, 1e6}) {
     for (const bool round : {false, true}) {
       Simulation simulation = convective(layout, transfer, biot, round).start(1e9);
       const auto [all, last] = ranges(simulation, 60);
       INFO(layout << ", " << name_of(transfer) << ", Biot number of a cell " << biot
                   << (round ? ", disc" : ", square") << ": " << all.low << " to " << 1.0 - all.high
                   << " below 1");
-      const bool strays = transfer == HeatTransfer::flip && biot > 1.0;
-      CHECK(all.beyond(0.0, 1.0) <= (strays ? 0.05 : 1e-9));
-      CHECK(last.beyond(0.0, 1.0) <= (strays ? 0.01 : 1e-9));
+      CHECK(all.beyond(0.0, 1.0) <= 1e-9);
       CHECK(all.high > 0.0);  // heat does come in
       CHECK(std::abs(simulation.ledgers().front().residual()) <= 1e-12);
     }

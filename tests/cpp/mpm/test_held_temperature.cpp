@@ -100,7 +100,7 @@ TEST_CASE("Held temperatures are stable and accurate at the automatic step") {
       // Measured 0.012 to 0.024 at two and a half cells across the boundary layer, and up to 0.037
       // beyond the range at points outside of the probes, where nodal values are extrapolated.
       CHECK(errors[1] <= 0.03);
-      CHECK(errors[1] <= errors[0]);
+      CHECK(errors[1] <= 0.354 * errors[0]);  // order 1.5 in passing
       CHECK(range.beyond(0.0, 1.0) <= 0.05);
     }
   }

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/nodal_assembly.hpp"
 #include "lapilli/mpm/heat/particle_boundary.hpp"
 #include "lapilli/mpm/heat/step_bound.hpp"
+#include "lapilli/mpm/weights.hpp"
 
 namespace lapilli {
 namespace {
@@ -50,6 +52,13 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
   }
   if (!laws_.empty()) {
     surface_ = std::make_unique<HeatSurface<Dim>>(points_, problem_);
+    if (transfer_ == HeatTransfer::flip && problem_.settings.implicit_exchange) {
+      relaxation_.assign(grid_.capacity.size(), 0.0);
+      conductivity_ = std::numeric_limits<double>::infinity();
+      for (const HeatBody& body : problem_.bodies) {
+        conductivity_ = std::min(conductivity_, largest_conductivity(body.material));
+      }
+    }
   }
   if (HeatSource<Dim>::is_present(problem_.bodies)) {
     source_.emplace(problem_.bodies);
@@ -183,6 +192,12 @@ void HeatOnPoints<Dim>::solve_nodes(double step) {
       const double slope = problem_.settings.implicit_exchange ? n.slope[k] : 0.0;
       double& increment = grid_.increment[n.node[k]];
       const double rise = step * (n.rate[k] - slope * increment) / (capacity + step * slope);
+      if (!relaxation_.empty() && n.area[k] > 0.0) {
+        const double biot = slope / n.area[k] * problem_.grid.cell_size() / conductivity_;
+        relaxation_[n.node[k]] =
+            std::clamp(biot - 1.0, 0.0, 1.0) * step * slope / (capacity + step * slope);
+        relaxes_ = relaxes_ || biot > 1.0;
+      }
       increment += rise;
       heat += capacity * rise;
     }
@@ -206,8 +221,36 @@ double HeatOnPoints<Dim>::blend(double step) const {
 }
 
 template <int Dim>
+void HeatOnPoints<Dim>::relax_points() {
+  if (!relaxes_) {
+    return;
+  }
+  // T_p += sum S_I beta_I (T_I - T_p) keeps the heat of every node; with the increment
+  // beta_I (ambient - T_I) of the law, what a point carries becomes a mean of itself and ambient.
+  parallel_for(points_.size(), [&](Index row) {
+    const std::size_t body = points_.body()[row];
+    with_shape(problem_.shape, coefficients_.half_width[body], [&](auto shape) {
+      const Weights<Dim, decltype(shape)> weights(problem_.grid, shape,
+                                                  points_.position().data() + row * Dim);
+      double change = 0.0;
+      weights.for_each_node(problem_.grid, [&](Index node, double s, const Vec<Dim>&) {
+        change += s * relaxation_[node] * (grid_.temperature[node] - temperature_[row]);
+      });
+      temperature_[row] += change;
+    });
+  });
+  for (const auto& n : laws_.nodes()) {
+    for (const Index node : n.node) {
+      relaxation_[node] = 0.0;
+    }
+  }
+  relaxes_ = false;
+}
+
+template <int Dim>
 void HeatOnPoints<Dim>::update_points(const Step& step) {
   const double beta = blend(step.size);
+  relax_points();
   grid_.for_active_nodes([&](Index begin, Index end) {
     for (Index node = begin; node < end; ++node) {
       grid_.blended[node] = grid_.increment[node] + beta * grid_.temperature[node];

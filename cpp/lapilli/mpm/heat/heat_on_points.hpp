@@ -47,6 +47,7 @@ class HeatOnPoints final : public Physics {
   void conduct();
   void exchange_with_surroundings(const Step& step);
   void solve_nodes(double step);
+  void relax_points();
   void update_points(const Step& step);
 
   void exchange_at_points(const Step& step);
@@ -65,6 +66,12 @@ class HeatOnPoints final : public Physics {
   HeatLaws<Dim> laws_;
   std::unique_ptr<HeatSurface<Dim>> surface_;
   std::optional<HeatSource<Dim>> source_;
+  // FLIP under strong exchange (coefficient h / conductivity > 1): the share of the gap to the
+  // surroundings that a node closed in the step, zero elsewhere. Points follow by the same share;
+  // by increments alone they would be carried past the surroundings.
+  std::vector<double> relaxation_;
+  double conductivity_ = 0.0;  // the least of the bodies, W/(m K)
+  bool relaxes_ = false;       // some node in this step
   StepLimit limit_;
   Index limited_ordering_ = -1;  // ordering that limit_ was bounded for
   double initial_ = 0.0;         // J

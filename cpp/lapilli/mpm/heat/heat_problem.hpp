@@ -33,8 +33,8 @@ struct HeatProblem {
 };
 
 /// The heat solver a scene needs: nodal operators assembled once where points rest and the transfer
-/// closes on the nodes, the point-to-grid cycle otherwise. Throws std::invalid_argument when the
-/// settings contradict each other.
+/// closes on the nodes (FLIP does not where the surface exchanges strongly), the point-to-grid
+/// cycle otherwise. Throws std::invalid_argument when the settings contradict each other.
 template <int Dim>
 std::unique_ptr<Physics> make_heat(Points& points, HeatProblem<Dim> problem);
 

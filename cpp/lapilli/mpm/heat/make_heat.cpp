@@ -1,6 +1,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/heat_at_rest.hpp"
 #include "lapilli/mpm/heat/heat_on_points.hpp"
+#include "lapilli/mpm/heat/step_bound.hpp"
 
 namespace lapilli {
 namespace {
@@ -10,7 +11,9 @@ template <int Dim>
 bool closes_on_nodes(const HeatProblem<Dim>& problem) {
   const HeatSettings& settings = problem.settings;
   return !problem.moving && settings.method != FluxMethod::particle &&
-         settings.transfer != HeatTransfer::affine && settings.transfer != HeatTransfer::tpic;
+         settings.transfer != HeatTransfer::affine && settings.transfer != HeatTransfer::tpic &&
+         !(settings.transfer == HeatTransfer::flip && settings.implicit_exchange &&
+           exchanges_strongly(problem));
 }
 
 }  // namespace

@@ -2,11 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/nodal_assembly.hpp"
 
 namespace lapilli {
+namespace {
+
+/// The largest value a constant or a table takes; infinite for a function.
+double largest(const Value& value) {
+  if (value.is_function()) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const auto* table = std::get_if<Table>(&value.form());
+  return table == nullptr ? value.at(0.0)
+                          : *std::max_element(table->values.begin(), table->values.end());
+}
+
+}  // namespace
 
 template <int Dim>
 double fastest_rate(const StencilMatrix<Dim>& conduction, std::span<const double> lumped,
@@ -62,6 +76,25 @@ double carried_limit(HeatTransfer transfer, ShapeFunction shape) {
 }
 
 template <int Dim>
+bool exchanges_strongly(const HeatProblem<Dim>& problem) {
+  double conductivity = std::numeric_limits<double>::infinity();
+  for (const HeatBody& body : problem.bodies) {
+    conductivity = std::min(conductivity, largest_conductivity(body.material));
+  }
+  const auto& laws = problem.settings.boundaries;
+  return std::any_of(laws.begin(), laws.end(), [&](const HeatBoundary& law) {
+    double coefficient = 0.0;
+    if (const auto* convection = std::get_if<Convection>(&law)) {
+      coefficient = largest(convection->coefficient);
+    } else if (const auto* radiation = std::get_if<Radiation>(&law)) {
+      coefficient = 4.0 * largest(radiation->emissivity) * radiation->stefan_boltzmann *
+                    std::pow(largest(radiation->ambient), 3);
+    }
+    return coefficient * problem.grid.cell_size() > conductivity;
+  });
+}
+
+template <int Dim>
 StepLimit explicit_step_limit(const Points& points, const HeatProblem<Dim>& problem,
                               const HeatCoefficients<Dim>& coefficients,
                               std::span<const double> capacity, HeatTransfer transfer) {
@@ -81,7 +114,10 @@ StepLimit explicit_step_limit(const Points& points, const HeatProblem<Dim>& prob
       limit.reason = "explicit heat with carried gradients: 0.4 h^2/alpha";
     } else {
       limit.hard = carried_limit(transfer, problem.shape) * unit;
-      limit.automatic = 0.8 * limit.hard;
+      const bool strong = transfer == HeatTransfer::flip && problem.settings.implicit_exchange &&
+                          exchanges_strongly(problem);
+      // Beyond 3/8 h^2/alpha (in the plane) a node next to one held at ambient would pass it.
+      limit.automatic = strong ? 0.3 * unit : 0.8 * limit.hard;
       limit.reason = message("explicit heat, ", name_of(transfer), ": ",
                              carried_limit(transfer, problem.shape), " h^2/alpha");
     }
@@ -102,6 +138,7 @@ StepLimit explicit_step_limit(const Points& points, const HeatProblem<Dim>& prob
                                std::span<const double>);                                        \
   template double fastest_node(const StencilMatrix<Dim>&, std::span<const double>,              \
                                std::span<const double>);                                        \
+  template bool exchanges_strongly(const HeatProblem<Dim>&);                                    \
   template StepLimit explicit_step_limit(const Points&, const HeatProblem<Dim>&,                \
                                          const HeatCoefficients<Dim>&, std::span<const double>, \
                                          HeatTransfer);

@@ -22,6 +22,11 @@ double fastest_node(const StencilMatrix<Dim>& conduction, std::span<const double
 /// to 0.7.
 double carried_limit(HeatTransfer transfer, ShapeFunction shape);
 
+/// Whether convection or radiation may be so strong (coefficient h / conductivity > 1) that points
+/// with FLIP would be carried past the surroundings.
+template <int Dim>
+bool exchanges_strongly(const HeatProblem<Dim>& problem);
+
 /// Limits of an explicit step for points that carry temperature. One material: the multiple of
 /// h^2/alpha above for FLIP and PIC, 1.6 l h/alpha (GIMP half-width l, at most 0.4 h^2/alpha) for
 /// transfers with a gradient; several: the bound of the nodal operator at the points' present
