@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "lapilli/core/require.hpp"
 #include "mpm/radial_reference.hpp"
 #include "mpm/square_scenes.hpp"
 
