@@ -8,7 +8,13 @@ from collections.abc import Sequence
 from lapilli.reproduce.case import Case
 
 # name of the case -> module that holds it as CASE
-MODULES: dict[str, str] = {}
+MODULES: dict[str, str] = {
+    "vhfm/rod": "lapilli.reproduce.vhfm.rod",
+    "vhfm/ring": "lapilli.reproduce.vhfm.ring",
+    "vhfm/sphere": "lapilli.reproduce.vhfm.sphere",
+    "vhfm/square": "lapilli.reproduce.vhfm.square",
+    "vhfm/fan": "lapilli.reproduce.vhfm.fan",
+}
 
 
 def names(wanted: Sequence[str]) -> list[str]:
