@@ -125,12 +125,17 @@ def test_threads_do_not_change_the_bytes(ring: lp.Scene) -> None:
 def test_ctrl_c_ends_the_run_with_frame_and_checkpoint(ring: lp.Scene, tmp_path: Path) -> None:
     ring.time.end = 1e9
     path = tmp_path / "long.vtkhdf"
+    # a runner started in the background ignores the signal
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     started = time.perf_counter()
-    with pytest.raises(KeyboardInterrupt):
-        lp.run(ring, path, progress=False)
-    timer.join()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            lp.run(ring, path, progress=False)
+    finally:
+        timer.join()
+        signal.signal(signal.SIGINT, before)
     assert time.perf_counter() - started < 60
     assert len(lp.Frames(path)) >= 1
     assert path.with_suffix(".checkpoint").is_file()

@@ -1,7 +1,7 @@
 """Error against cost: settings, references, tables, resuming."""
 
+import importlib
 import json
-import os
 from pathlib import Path
 
 import numpy as np
@@ -139,12 +139,14 @@ def test_frames_and_finer_runs_are_references(ring: lp.Scene, tmp_path: Path) ->
         finer(position, 0.5)
 
 
-def die(position, time):
-    """A reference that takes its process with it."""
-    os._exit(7)
-
-
-def test_a_process_that_dies_is_a_failed_setting(ring: lp.Scene) -> None:
+def test_a_process_that_dies_is_a_failed_setting(
+    ring: lp.Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # a reference that takes its process with it, in a module that a spawned process can import
+    source = "import os\n\ndef die(position, time):\n    os._exit(7)\n"
+    (tmp_path / "deadly_reference.py").write_text(source)
+    monkeypatch.syspath_prepend(tmp_path)
+    die = importlib.import_module("deadly_reference").die
     table = tradeoff(ring, {"grid.cell": [1.0, 0.5]}, die, repeats=1, runner=LocalPool(2))
     assert [row.error for row in table.rows] == [None, None]
     assert "process died (exit code 7)" in table.rows[0].reason
