@@ -107,5 +107,31 @@ TEST_CASE("Held temperatures are stable and accurate at the automatic step") {
   }
 }
 
+// Uniform at what is held: nothing may happen, not even where the probes of a thin plate or a
+// corner find no node below the surface.
+TEST_CASE("A body at the temperature that is held stays there") {
+  for (const HeatTransfer transfer :
+       {HeatTransfer::kept, HeatTransfer::flip, HeatTransfer::affine}) {
+    for (const double thickness : {0.5, 1.0, 1.5, 3.0}) {
+      const Grid<2> grid(Vec<2>::Constant(-8.0), Vec<2>::Constant(8.0), 1.0);
+      HeatProblem<2> problem = scenes::problem_on(grid, scenes::unit_body(4, 300.0));
+      problem.settings.boundaries = {held(300.0)};
+      problem.settings.transfer = transfer;
+      auto points =
+          scenes::scatter<2>(Vec<2>(0.1, 0.2), 6.0, 0.25, Layout{20.0},
+                             [&](const Vec<2>& y) { return std::abs(y[1]) < 0.5 * thickness; });
+      Simulation simulation = scenes::simulate(std::move(points), problem, 0.0, 1e9);
+      for (int k = 0; k < 20; ++k) {
+        simulation.step();
+      }
+      scenes::Range range;
+      range.include(scenes::field(simulation, "temperature"));
+      INFO(name_of(transfer) << ", thickness " << thickness << ": " << range.low << " to "
+                             << range.high);
+      CHECK(range.beyond(300.0, 300.0) <= 1e-9);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace lapilli

@@ -80,7 +80,9 @@ void HeatAtRest<Dim>::assemble() {
     laws_.assign(areas, grid.cell_size());
     laws_.require_all_used();
     if (laws_.has_held_temperature()) {
-      laws_.place_probes(grid, nodal_conductivity(points_, problem_, coefficients_, sums));
+      const auto is_active = [&](Index node) { return operators.active[node] != 0; };
+      laws_.place_probes(grid, is_active,
+                         nodal_conductivity(points_, problem_, coefficients_, sums));
     }
     laws_.renumber(place_of);
   }

@@ -100,7 +100,8 @@ void HeatLaws<Dim>::assign(const NodalAreas<Dim>& areas, double cell_size) {
 
 template <int Dim>
 void HeatLaws<Dim>::place_probes(
-    const Grid<Dim>& grid, const std::function<double(Index, const Vec<Dim>&)>& conductivity) {
+    const Grid<Dim>& grid, const std::function<bool(Index)>& is_active,
+    const std::function<double(Index, const Vec<Dim>&)>& conductivity) {
   constexpr int corners = 1 << Dim;
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     if (!is_held(laws_[law])) {
@@ -115,9 +116,15 @@ void HeatLaws<Dim>::place_probes(
       const LinearShape shape;
       const Weights<Dim, LinearShape> weights(grid, shape, probe.data());
       std::size_t corner = k * corners;
+      double sum = 0.0;
       weights.for_each_node(grid, [&](Index node, double value, const Vec<Dim>&) {
-        nodes.probe[corner++] = {node, value};
+        const double weight = is_active(node) ? value : 0.0;
+        nodes.probe[corner++] = {weight > 0.0 ? node : nodes.node[k], weight};
+        sum += weight;
       });
+      for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
+        nodes.probe[c].second = sum > 0.0 ? nodes.probe[c].second / sum : 1.0 / corners;
+      }
       nodes.conductance[k] = conductivity(nodes.node[k], nodes.normal[k]) / depth;
     }
   }

@@ -41,9 +41,9 @@ class HeatLaws {
 
   /// Give each node of the surface to the first law whose region covers its place.
   void assign(const NodalAreas<Dim>& areas, double cell_size);
-  /// Place the probes of held temperatures, one cell below the surface. `conductivity` is the
-  /// nodal n.k.n (W/(m K)).
-  void place_probes(const Grid<Dim>& grid,
+  /// Place the probes of held temperatures, one cell below the surface, among the nodes that are
+  /// active: a thin plate has fewer there. `conductivity` is the nodal n.k.n (W/(m K)).
+  void place_probes(const Grid<Dim>& grid, const std::function<bool(Index)>& is_active,
                     const std::function<double(Index, const Vec<Dim>&)>& conductivity);
 
   /// Replace every node number by number(node), for temperatures stored in another order.

@@ -114,7 +114,8 @@ void HeatOnPoints<Dim>::find_surface() {
   negative_share_ = areas.negative_share();
   laws_.assign(areas, problem_.grid.cell_size());
   if (laws_.has_held_temperature()) {
-    laws_.place_probes(problem_.grid,
+    const auto is_active = [&](Index node) { return grid_.capacity[node] > 0.0; };
+    laws_.place_probes(problem_.grid, is_active,
                        nodal_conductivity(points_, problem_, coefficients_, grid_.sums));
   }
 }
