@@ -80,7 +80,7 @@ struct Key {
 
  private:
   static constexpr double infinity() { return std::numeric_limits<double>::infinity(); }
-  constexpr Key with(const char* Key::* member, const char* value) const {
+  constexpr Key with(const char* Key::*member, const char* value) const {
     Key key = *this;
     key.*member = value;
     return key;
@@ -91,7 +91,8 @@ struct Key {
 ///
 ///     template <>
 ///     struct Names<Transfer> {
-///       static constexpr std::pair<Transfer, const char*> values[] = {{Transfer::flip, "flip"}, ...};
+///       static constexpr std::pair<Transfer, const char*> values[] = {{Transfer::flip, "flip"},
+///       ...};
 ///     };
 template <class Enum>
 struct Names;

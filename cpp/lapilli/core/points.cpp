@@ -26,9 +26,10 @@ Points::Points(int dimension) : dimension_(dimension) {
 }
 
 void Points::append(std::span<const double> positions, std::span<const double> volumes, int body) {
-  require(positions.size() == volumes.size() * static_cast<std::size_t>(dimension_), "positions have ",
-          positions.size(), " numbers, ", volumes.size(), " points of dimension ", dimension_,
-          " need ", volumes.size() * static_cast<std::size_t>(dimension_));
+  require(positions.size() == volumes.size() * static_cast<std::size_t>(dimension_),
+          "positions have ", positions.size(), " numbers, ", volumes.size(),
+          " points of dimension ", dimension_, " need ",
+          volumes.size() * static_cast<std::size_t>(dimension_));
   require(attached_.empty(), "points can be added only before a physics attaches its arrays");
   position_.insert(position_.end(), positions.begin(), positions.end());
   volume_.insert(volume_.end(), volumes.begin(), volumes.end());

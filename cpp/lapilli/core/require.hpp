@@ -25,8 +25,8 @@ void require(bool condition, const Parts&... parts) {
   }
 }
 
-/// A run that went wrong: a point left the grid, a value stopped being finite, an iteration stalled.
-/// The simulation adds step and time; the message names point, field and likely cause.
+/// A run that went wrong: a point left the grid, a value stopped being finite, an iteration
+/// stalled. The simulation adds step and time; the message names point, field and likely cause.
 class RunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

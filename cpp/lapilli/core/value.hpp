@@ -19,16 +19,17 @@ struct Table {
 
 /// A function over whole arrays: positions (rows x 3, m), the quantity there (may be empty), the
 /// time (s); fills one value a row.
-using ArrayFunction = std::function<void(std::span<const Vec3> position, std::span<const double> state,
-                                         double time, std::span<double> values)>;
+using ArrayFunction =
+    std::function<void(std::span<const Vec3> position, std::span<const double> state, double time,
+                       std::span<double> values)>;
 
 /// A number that may be constant, tabulated in time or a function of place, state and time.
 class Value {
  public:
   using Form = std::variant<double, Table, ArrayFunction>;
 
-  Value(double constant = 0.0) : form_(constant) {}  // NOLINT: a number is a value
-  Value(Table table) : form_(std::move(table)) {}    // NOLINT
+  Value(double constant = 0.0) : form_(constant) {}              // NOLINT: a number is a value
+  Value(Table table) : form_(std::move(table)) {}                // NOLINT
   Value(ArrayFunction function) : form_(std::move(function)) {}  // NOLINT
 
   const Form& form() const { return form_; }

@@ -16,7 +16,8 @@ TEST_CASE("sums are the same bytes for any number of threads") {
   set_thread_count(0);
   // sum of sin(k) for k < n has a closed form
   const double n = 100'001;
-  REQUIRE(alone == Approx(std::sin(0.5 * (n - 1)) * std::sin(0.5 * n) / std::sin(0.5)).margin(1e-9));
+  REQUIRE(alone ==
+          Approx(std::sin(0.5 * (n - 1)) * std::sin(0.5 * n) / std::sin(0.5)).margin(1e-9));
 }
 
 TEST_CASE("an absurd thread count is refused") {

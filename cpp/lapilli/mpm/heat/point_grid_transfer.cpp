@@ -239,7 +239,8 @@ void PointGridTransfer<Dim>::update(const Points& points, const std::vector<doub
     const PatchNodes<Dim, Function> nodes(grid_);
     parallel_ranges(points.size(), [&](Index begin, Index end) {
       for_points(grid_, begin, end, position, shape_of, body, [&](Index row, const auto& w) {
-        const auto parts = parts_at<Dim, Function, decltype(with_gradient)::value>(nodes, nodal.data(), w);
+        const auto parts =
+            parts_at<Dim, Function, decltype(with_gradient)::value>(nodes, nodal.data(), w);
         const Quad added = lapilli::sums(parts[0], parts[1], parts[2], parts[3]);
         carried[row] = keep * carried[row] + added[0];
         if constexpr (decltype(with_gradient)::value) {
