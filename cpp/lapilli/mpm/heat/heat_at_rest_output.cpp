@@ -1,0 +1,151 @@
+#include "lapilli/mpm/heat/heat_at_rest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+
+template <int Dim>
+void HeatAtRest<Dim>::require_finite() const {
+  for (const auto& row : rows_->rows()) {
+    for (int i = row.begin; i < row.end; ++i) {
+      if (!std::isfinite(temperature_[row.shift + i])) {
+        const Index node = row.grid_row * problem_.grid.nodes(0) + i;
+        throw RunError(message("heat: temperature of the node at (",
+                               problem_.grid.node_position(node).transpose(),
+                               ") is not finite; a law or source gave such a value, or the step is "
+                               "too large for it"));
+      }
+    }
+  }
+}
+
+template <int Dim>
+void HeatAtRest<Dim>::refresh_output() {
+  require_finite();
+  if (!output_temperature_) {
+    output_temperature_ = std::make_unique<PointArray>(points_, 1);
+    output_flux_ = std::make_unique<PointArray>(points_, Dim);
+    if (carries_points()) {
+      output_carried_ = std::make_unique<PointArray>(points_, 1);
+    }
+  }
+  const std::vector<double>& nodal = carries_points() ? updated_ : temperature_;
+  parallel_for(points_.size(), [&](Index row) {
+    const auto body = static_cast<std::size_t>(points_.body()[row]);
+    with_shape(problem_.shape, coefficients_.half_width[body], [&](auto shape) {
+      const Weights<Dim, decltype(shape)> weights(problem_.grid, shape,
+                                                  points_.position().data() + row * Dim);
+      double value = 0.0, sum = 0.0;
+      Vec<Dim> gradient = Vec<Dim>::Zero();
+      weights.for_each_node(problem_.grid, [&](Index node, double s, const Vec<Dim>& slope) {
+        const Index place = rows_->place(node);
+        if (lumped_[place] > 0.0) {
+          value += s * nodal[place];
+          gradient += nodal[place] * slope;
+          sum += transfer_ == HeatTransfer::flip ? s * total_[place] : 0.0;
+        }
+      });
+      (*output_temperature_)[row] = value;
+      Eigen::Map<Vec<Dim>>(output_flux_->data() + row * Dim) =
+          -coefficients_.conductivity[body] * gradient;
+      if (carries_points()) {
+        (*output_carried_)[row] = transfer_ == HeatTransfer::flip ? (*start_)[row] + sum : value;
+      }
+    });
+  });
+}
+
+template <int Dim>
+std::vector<Field> HeatAtRest<Dim>::fields() {
+  if (!output_temperature_) {
+    refresh_output();
+  }
+  std::vector<Field> fields{{"temperature", "K", 1, output_temperature_->values()},
+                            {"heat_flux", "W/m^2", Dim, output_flux_->values()}};
+  if (output_carried_) {
+    fields.push_back({"temperature_carried", "K", 1, output_carried_->values()});
+  }
+  return fields;
+}
+
+template <int Dim>
+std::vector<Ledger> HeatAtRest<Dim>::ledgers() const {
+  Ledger ledger{"heat", "J", initial_, 0.0, laws_.entries(), 0.0};
+  if (source_) {
+    ledger.entries.push_back({"source", source_->booked()});
+  }
+  double low = std::numeric_limits<double>::infinity(), high = -low, capacity = 0.0;
+  for (std::size_t place = 0; place < lumped_.size(); ++place) {
+    if (lumped_[place] > 0.0) {
+      ledger.stored += lumped_[place] * temperature_[place];
+      capacity += lumped_[place];
+      low = std::min(low, temperature_[place]);
+      high = std::max(high, temperature_[place]);
+    }
+  }
+  ledger.scale = capacity * (high - low);
+  return {ledger};
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, double>> HeatAtRest<Dim>::diagnostics() const {
+  std::vector<std::pair<std::string, double>> all;
+  if (!laws_.empty()) {
+    double area = 0.0;
+    for (const auto& nodes : laws_.nodes()) {
+      for (const double a : nodes.area) {
+        area += a;
+      }
+    }
+    all.emplace_back("surface_area", area);
+    all.emplace_back("negative_area_share", negative_share_);
+  }
+  return all;
+}
+
+template <int Dim>
+void HeatAtRest<Dim>::save(Archive& archive) const {
+  archive.write("heat/temperature", temperature_);
+  archive.write("heat/updated", updated_);
+  archive.write("heat/total", total_);
+  archive.write("heat/initial", initial_);
+  archive.write("heat/source", source_ ? source_->booked() : 0.0);
+  if (start_) {
+    archive.write("heat/start", start_->values());
+  }
+  laws_.save(archive, "heat/laws");
+}
+
+template <int Dim>
+void HeatAtRest<Dim>::load(const Archive& archive) {
+  archive.read("heat/temperature", std::span<double>(temperature_));
+  archive.read("heat/updated", std::span<double>(updated_));
+  archive.read("heat/total", std::span<double>(total_));
+  initial_ = archive.read_number("heat/initial");
+  if (source_) {
+    source_->set_booked(archive.read_number("heat/source"));
+  }
+  if (start_) {
+    archive.read("heat/start", start_->values());
+  }
+  laws_.load(archive, "heat/laws");
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                                             \
+  template void HeatAtRest<Dim>::require_finite() const;                                     \
+  template void HeatAtRest<Dim>::refresh_output();                                           \
+  template std::vector<Field> HeatAtRest<Dim>::fields();                                     \
+  template std::vector<Ledger> HeatAtRest<Dim>::ledgers() const;                             \
+  template std::vector<std::pair<std::string, double>> HeatAtRest<Dim>::diagnostics() const; \
+  template void HeatAtRest<Dim>::save(Archive& archive) const;                               \
+  template void HeatAtRest<Dim>::load(const Archive& archive);
+LAPILLI_INSTANTIATE(1)
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+}  // namespace lapilli

@@ -1,0 +1,144 @@
+#include "lapilli/mpm/heat/heat_on_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+
+template <int Dim>
+void HeatOnPoints<Dim>::show(const std::vector<double>& nodal) {
+  if (!output_temperature_) {
+    output_temperature_ = std::make_unique<PointArray>(points_, 1);
+    output_flux_ = std::make_unique<PointArray>(points_, Dim);
+  }
+  grid_.interpolate(points_, nodal, output_temperature_->data(), output_flux_->data());
+  output_is_current_ = true;
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::refresh_output() {
+  if (!output_is_current_) {
+    order_.update(points_);
+    project_to_grid();
+    show(grid_.temperature);
+  }
+  for (Index row = 0; row < points_.size(); ++row) {
+    if (!std::isfinite(temperature_[row])) {
+      throw RunError(message("heat: temperature of point ", points_.id()[row],
+                             " is not finite; a law or source gave such a value, or the step is "
+                             "too large for it"));
+    }
+  }
+}
+
+template <int Dim>
+std::vector<Field> HeatOnPoints<Dim>::fields() {
+  if (!output_temperature_) {
+    refresh_output();
+  }
+  return {{"temperature", "K", 1, output_temperature_->values()},
+          {"temperature_carried", "K", 1, temperature_.values()},
+          {"heat_flux", "W/m^2", Dim, output_flux_->values()}};
+}
+
+template <int Dim>
+std::vector<Ledger> HeatOnPoints<Dim>::ledgers() const {
+  Ledger ledger{"heat", "J", initial_, 0.0, laws_.entries(), 0.0};
+  if (source_) {
+    ledger.entries.push_back({"source", source_->booked()});
+  }
+  double low = std::numeric_limits<double>::infinity(), high = -low, capacity = 0.0;
+  for (Index row = 0; row < points_.size(); ++row) {
+    ledger.stored += capacity_[row] * temperature_[row];
+    capacity += capacity_[row];
+    low = std::min(low, temperature_[row]);
+    high = std::max(high, temperature_[row]);
+  }
+  ledger.scale = capacity * (high - low);
+  return {ledger};
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, double>> HeatOnPoints<Dim>::diagnostics() const {
+  std::vector<std::pair<std::string, double>> all;
+  if (!laws_.empty()) {
+    double area = 0.0;
+    for (const auto& nodes : laws_.nodes()) {
+      for (const double a : nodes.area) {
+        area += a;
+      }
+    }
+    all.emplace_back("surface_area", area);
+    all.emplace_back("negative_area_share", negative_share_);
+  }
+  return all;
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::save(Archive& archive) const {
+  archive.write("heat/temperature", temperature_.values());
+  archive.write("heat/capacity", capacity_.values());
+  if (gradient_) {
+    archive.write("heat/gradient", std::span<const double>(std::as_const(*gradient_).values()));
+  }
+  order_.save(archive, "heat/strips");
+  laws_.save(archive, "heat/laws");
+  if (surface_) {
+    surface_->save(archive, "heat/outside");
+  }
+  archive.write("heat/initial", initial_);
+  archive.write("heat/source", source_ ? source_->booked() : 0.0);
+  archive.write("heat/limit", std::array{limit_.hard, limit_.automatic});
+  archive.write("heat/shown", output_is_current_ ? Index{1} : Index{0});
+  if (output_is_current_) {
+    archive.write("heat/output_temperature", std::as_const(*output_temperature_).values());
+    archive.write("heat/output_flux", std::as_const(*output_flux_).values());
+  }
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::load(const Archive& archive) {
+  archive.read("heat/temperature", temperature_.values());
+  archive.read("heat/capacity", capacity_.values());
+  if (gradient_) {
+    archive.read("heat/gradient", gradient_->values());
+  }
+  order_.load(archive, "heat/strips");
+  laws_.load(archive, "heat/laws");
+  if (surface_) {
+    surface_->load(archive, "heat/outside");
+  }
+  initial_ = archive.read_number("heat/initial");
+  if (source_) {
+    source_->set_booked(archive.read_number("heat/source"));
+  }
+  std::array<double, 2> limits{};
+  archive.read("heat/limit", std::span<double>(limits));
+  limit_.hard = limits[0];
+  limit_.automatic = limits[1];
+  limited_ordering_ = points_.ordering();
+  output_is_current_ = archive.read_index("heat/shown") != 0;
+  if (output_is_current_) {
+    show(grid_.temperature);
+    archive.read("heat/output_temperature", output_temperature_->values());
+    archive.read("heat/output_flux", output_flux_->values());
+  }
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                                               \
+  template void HeatOnPoints<Dim>::show(const std::vector<double>& nodal);                     \
+  template void HeatOnPoints<Dim>::refresh_output();                                           \
+  template std::vector<Field> HeatOnPoints<Dim>::fields();                                     \
+  template std::vector<Ledger> HeatOnPoints<Dim>::ledgers() const;                             \
+  template std::vector<std::pair<std::string, double>> HeatOnPoints<Dim>::diagnostics() const; \
+  template void HeatOnPoints<Dim>::save(Archive& archive) const;                               \
+  template void HeatOnPoints<Dim>::load(const Archive& archive);
+LAPILLI_INSTANTIATE(1)
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+}  // namespace lapilli
