@@ -102,14 +102,15 @@ void HeatOnPoints<Dim>::project_to_grid() {
 
 template <int Dim>
 void HeatOnPoints<Dim>::find_surface() {
-  if (laws_.empty()) {
+  const std::pair<Index, Index> now{points_.version(), points_.ordering()};
+  if (laws_.empty() || now == surface_found_) {
     return;
   }
+  surface_found_ = now;
   if (problem_.settings.method == FluxMethod::particle) {
     laws_.assign(particle_areas(points_, problem_), problem_.grid.cell_size());
     return;
   }
-  // Nodes whose capacity is the square of a rounding error take no part.
   const NodalAreas<Dim> areas = surface_->areas(points_, coefficients_, grid_.sums);
   negative_share_ = areas.negative_share();
   laws_.assign(areas, problem_.grid.cell_size());

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "lapilli/mpm/cell_order.hpp"
 #include "lapilli/mpm/heat/heat_laws.hpp"
@@ -65,6 +66,7 @@ class HeatOnPoints final : public Physics {
   PointGridTransfer<Dim> grid_;
   HeatLaws<Dim> laws_;
   std::unique_ptr<HeatSurface<Dim>> surface_;
+  std::pair<Index, Index> surface_found_{-1, -1};  // version and ordering of the points
   std::optional<HeatSource<Dim>> source_;
   // FLIP under strong exchange (coefficient h / conductivity > 1): the share of the gap to the
   // surroundings that a node closed in the step, zero elsewhere. Points follow by the same share;
