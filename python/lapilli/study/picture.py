@@ -15,12 +15,28 @@ if TYPE_CHECKING:
 MARKERS = "osD^vP*X<>"
 
 
+def _varied(table: Table) -> set[str]:
+    """The settings that take more than one value: the others need no mention."""
+    values: dict[str, set[str]] = {}
+    for row in table.rows:
+        for name, value in row.setting.changes:
+            values.setdefault(name, set()).add(value)
+    return {name for name, taken in values.items() if len(taken) > 1}
+
+
+def _label(setting: Setting, varied: set[str]) -> str:
+    return ", ".join(
+        f"{name.rpartition('.')[2]} = {value}" for name, value in setting.changes if name in varied
+    )
+
+
 def draw(table: Table, path: str | os.PathLike[str] | None = None) -> Figure:
     """One line for each combination of all settings but the first; the front in grey."""
     require_matplotlib()
     import matplotlib.pyplot as plt
 
-    figure, axes = plt.subplots(figsize=(7, 5), layout="constrained")
+    figure, axes = plt.subplots(figsize=(7, 6), layout="constrained")
+    varied = _varied(table)
     series: dict[Setting, list[tuple[float, float, str]]] = {}
     for row in table.rows:
         if row.error is not None and row.cpu_seconds:
@@ -40,17 +56,18 @@ def draw(table: Table, path: str | os.PathLike[str] | None = None) -> Figure:
     for number, (rest, points) in enumerate(series.items()):
         cost, error, _ = zip(*points, strict=True)
         marker = MARKERS[number % len(MARKERS)]
-        axes.plot(cost, error, marker=marker, lw=1, label=str(rest) or None)
+        axes.plot(cost, error, marker=marker, lw=1, label=_label(rest, varied) or None)
         for x, y, label in points:
             axes.annotate(label, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=7)
     if series:
         axes.set(xscale="log", yscale="log")
     unit = f" ({table.unit})" if table.unit else ""
-    varied = table.rows[0].setting.changes[0][0] if table.rows else ""
-    axes.set(xlabel="CPU time (s)", ylabel=f"RMS error of {table.field}{unit}", title=varied)
+    along = table.rows[0].setting.changes[0][0] if table.rows else ""
+    axes.set(xlabel="CPU time (s)", ylabel=f"RMS error of {table.field}{unit}")
+    axes.set_title(f"numbers at the marks: {along}", fontsize=9)
     axes.grid(which="both", alpha=0.2)
     if axes.get_legend_handles_labels()[0]:
-        axes.legend(fontsize=7)
+        figure.legend(fontsize=7, loc="outside lower center", ncols=2)
     failed = sum(row.error is None for row in table.rows)
     if failed:
         axes.text(
