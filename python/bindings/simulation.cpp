@@ -4,6 +4,7 @@
 
 #include "bindings.hpp"
 #include "convert_scene.hpp"
+#include "lapilli/mpm/surface_view.hpp"
 #include "lapilli/scene/build.hpp"
 
 namespace lapilli::python {
@@ -87,6 +88,21 @@ py::dict limits(PythonSimulation& simulation) {
   for (const auto& physics : simulation.get().physics()) {
     const StepLimit limit = physics->step_limit();
     all[py::str(physics->name())] = py::make_tuple(limit.automatic, limit.hard, limit.reason);
+  }
+  return all;
+}
+
+py::dict surface(PythonSimulation& simulation) {
+  py::dict all;
+  for (const auto& physics : simulation.get().physics()) {
+    if (const auto* owner = dynamic_cast<const HasSurface*>(physics.get())) {
+      const SurfaceView view = owner->surface();
+      const auto rows = static_cast<py::ssize_t>(view.area.size());
+      const std::vector<py::ssize_t> shape = {rows, view.dimension};
+      all["position"] = py::array_t<double>(shape, view.position.data());
+      all["normal"] = py::array_t<double>(shape, view.normal.data());
+      all["area"] = py::array_t<double>(rows, view.area.data());
+    }
   }
   return all;
 }
@@ -212,6 +228,11 @@ void bind_simulation(py::module_& module) {
               .c_str())
       .def("diagnostics", &diagnostics,
            ("diagnostics" + self + ") -> dict[str, float]\n\nNumbers worth watching, by physics.")
+               .c_str())
+      .def("surface", &surface,
+           ("surface" + self +
+            ") -> dict[str, numpy.typing.NDArray[numpy.float64]]\n\nThe nodes that boundary laws "
+            "act on: position on the surface, outward normal, area. Empty without laws.")
                .c_str())
       .def("limits", &limits,
            ("limits" + self +

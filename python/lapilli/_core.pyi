@@ -1868,6 +1868,10 @@ class Simulation:
         """
         Take one step.
         """
+    def surface(self) -> dict[str, numpy.typing.NDArray[numpy.float64]]:
+        """
+        The nodes that boundary laws act on: position on the surface, outward normal, area. Empty without laws.
+        """
     def unit(self, name: str) -> str:
         """
         The unit of a field.

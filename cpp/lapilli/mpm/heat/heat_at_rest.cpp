@@ -105,13 +105,8 @@ void HeatAtRest<Dim>::bound_step() {
     return;
   }
   const double h = problem_.grid.cell_size();
-  std::vector<double> extra(lumped_.size(), 0.0);
-  for (const auto& nodes : laws_.nodes()) {
-    for (std::size_t k = 0; k < nodes.conductance.size(); ++k) {
-      extra[nodes.node[k]] += nodes.area[k] * nodes.conductance[k];
-    }
-  }
-  const double fastest = fastest_rate(*conduction_, lumped_, extra);
+  const double fastest =
+      fastest_rate(*conduction_, lumped_, std::span<const NodeCoupling>(laws_.couplings()));
   const double by_operator = fastest > 0.0 ? 2.0 / fastest : limit_.hard;
   if (carries_points() && problem_.bodies.size() == 1) {
     const double multiple = carried_limit(transfer_, problem_.shape);
@@ -123,7 +118,7 @@ void HeatAtRest<Dim>::bound_step() {
     limit_.automatic = (carries_points() ? 0.8 : 0.6) * by_operator;
     if (fastest > 0.0) {
       limit_.automatic =
-          std::min(limit_.automatic, 1.0 / fastest_node(*conduction_, lumped_, extra));
+          std::min(limit_.automatic, 1.0 / fastest_node(*conduction_, lumped_));
     }
     limit_.reason = "explicit heat: Gershgorin bound of the nodal operator";
   }

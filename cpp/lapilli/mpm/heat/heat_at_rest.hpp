@@ -20,7 +20,7 @@ namespace lapilli {
 ///   flip  T <- T + C^-1 M dT     (points carry T_p + S . sum of dT)
 ///   pic   T <- C^-1 M (T + dT)   (points carry S . (T + dT))
 template <int Dim>
-class HeatAtRest final : public Physics {
+class HeatAtRest final : public Physics, public HasSurface {
  public:
   HeatAtRest(Points& points, HeatProblem<Dim> problem);
 
@@ -31,6 +31,7 @@ class HeatAtRest final : public Physics {
   std::vector<Field> fields() override;
   std::vector<Ledger> ledgers() const override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
+  SurfaceView surface() const override { return laws_.surface(); }
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
 

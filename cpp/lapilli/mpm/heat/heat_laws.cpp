@@ -199,6 +199,38 @@ void HeatLaws<Dim>::evaluate(std::span<const double> temperature, double time) {
 }
 
 template <int Dim>
+std::vector<NodeCoupling> HeatLaws<Dim>::couplings() const {
+  constexpr std::size_t corners = 1 << Dim;
+  std::vector<NodeCoupling> all;
+  for (const Nodes& nodes : nodes_) {
+    for (std::size_t k = 0; k < nodes.conductance.size(); ++k) {
+      for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
+        if (nodes.probe[c].first != nodes.node[k]) {
+          all.push_back({nodes.node[k], nodes.probe[c].first,
+                         nodes.area[k] * nodes.conductance[k] * nodes.probe[c].second});
+        }
+      }
+    }
+  }
+  return all;
+}
+
+template <int Dim>
+SurfaceView HeatLaws<Dim>::surface() const {
+  SurfaceView view;
+  view.dimension = Dim;
+  for (const Nodes& nodes : nodes_) {
+    for (std::size_t k = 0; k < nodes.node.size(); ++k) {
+      view.position.insert(view.position.end(), nodes.position[k].data(),
+                           nodes.position[k].data() + Dim);
+      view.normal.insert(view.normal.end(), nodes.normal[k].data(), nodes.normal[k].data() + Dim);
+    }
+    view.area.insert(view.area.end(), nodes.area.begin(), nodes.area.end());
+  }
+  return view;
+}
+
+template <int Dim>
 std::vector<Ledger::Entry> HeatLaws<Dim>::entries() const {
   std::vector<Ledger::Entry> all;
   for (std::size_t law = 0; law < laws_.size(); ++law) {

@@ -8,8 +8,15 @@
 #include "lapilli/core/ledger.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
 #include "lapilli/mpm/nodal_surface.hpp"
+#include "lapilli/mpm/surface_view.hpp"
 
 namespace lapilli {
+
+/// Heat that `node` takes in for every kelvin of `source`, W/K.
+struct NodeCoupling {
+  Index node, source;
+  double rate;
+};
 
 /// The laws on the surface, each on the nodes its region selects. A law gives every node a rate of
 /// heat (W) and its slope -d rate/dT (W/K) for the implicit diagonal; what really came in is
@@ -67,6 +74,11 @@ class HeatLaws {
   /// Add to a law's account. `heat` came in (J).
   void book(std::size_t law, double heat) { account_[law].add(heat); }
 
+  /// How held temperatures tie nodes to the corners of their probes; the node itself, which a step
+  /// takes implicitly, is left out.
+  std::vector<NodeCoupling> couplings() const;
+
+  SurfaceView surface() const;
   std::vector<Ledger::Entry> entries() const;
   void save(Archive& archive, const std::string& name) const;
   void load(const Archive& archive, const std::string& name);

@@ -21,7 +21,7 @@ namespace lapilli {
 /// FLIP and PIC have no gradient G and beta 0 and 1; TPIC has beta 1; `affine` has
 /// beta = 1 - exp(-c dt alpha/h^2), so that its smoothing does not depend on the step.
 template <int Dim>
-class HeatOnPoints final : public Physics {
+class HeatOnPoints final : public Physics, public HasSurface {
  public:
   HeatOnPoints(Points& points, HeatProblem<Dim> problem);
 
@@ -32,6 +32,7 @@ class HeatOnPoints final : public Physics {
   std::vector<Field> fields() override;
   std::vector<Ledger> ledgers() const override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
+  SurfaceView surface() const override { return laws_.surface(); }
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
 

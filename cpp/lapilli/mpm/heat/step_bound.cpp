@@ -24,7 +24,7 @@ double largest(const Value& value) {
 
 template <int Dim>
 double fastest_rate(const StencilMatrix<Dim>& conduction, std::span<const double> lumped,
-                    std::span<const double> extra) {
+                    std::span<const NodeCoupling> couplings) {
   // The first scaling, C^-1/2, is one that nodes with next to no capacity do not spoil; then
   // D <- C^-1 |K| D (Collatz and Wielandt).
   std::vector<double> scaling(lumped.size(), 0.0);
@@ -34,10 +34,13 @@ double fastest_rate(const StencilMatrix<Dim>& conduction, std::span<const double
   double fastest = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < 24; ++pass) {
     std::vector<double> sum = conduction.absolute_multiply(scaling);
+    for (const NodeCoupling& coupling : couplings) {
+      sum[coupling.node] += std::abs(coupling.rate) * scaling[coupling.source];
+    }
     double bound = 0.0, largest = 0.0;
     for (std::size_t place = 0; place < sum.size(); ++place) {
       if (lumped[place] > 0.0) {
-        sum[place] = (sum[place] + extra[place] * scaling[place]) / lumped[place];
+        sum[place] /= lumped[place];
         bound = std::max(bound, sum[place] / scaling[place]);
         largest = std::max(largest, sum[place]);
       }
@@ -56,12 +59,11 @@ double fastest_rate(const StencilMatrix<Dim>& conduction, std::span<const double
 }
 
 template <int Dim>
-double fastest_node(const StencilMatrix<Dim>& conduction, std::span<const double> lumped,
-                    std::span<const double> extra) {
+double fastest_node(const StencilMatrix<Dim>& conduction, std::span<const double> lumped) {
   double fastest = 0.0;
   for (std::size_t place = 0; place < lumped.size(); ++place) {
     if (lumped[place] > 0.0) {
-      const double rate = conduction.diagonal(static_cast<Index>(place)) + extra[place];
+      const double rate = conduction.diagonal(static_cast<Index>(place));
       fastest = std::max(fastest, rate / lumped[place]);
     }
   }
@@ -125,19 +127,17 @@ StepLimit explicit_step_limit(const Points& points, const HeatProblem<Dim>& prob
   }
   const NodalOperators<Dim> operators = assemble_operators(
       points, problem, coefficients, std::vector<double>(capacity.begin(), capacity.end()), false);
-  const std::vector<double> none(operators.lumped.size(), 0.0);
-  limit.hard = 2.0 / fastest_rate(*operators.conduction, operators.lumped, none);
+  limit.hard = 2.0 / fastest_rate(*operators.conduction, operators.lumped);
   limit.automatic =
-      std::min(0.6 * limit.hard, 1.0 / fastest_node(*operators.conduction, operators.lumped, none));
+      std::min(0.6 * limit.hard, 1.0 / fastest_node(*operators.conduction, operators.lumped));
   limit.reason = "explicit heat, several materials: Gershgorin bound of the nodal operator";
   return limit;
 }
 
 #define LAPILLI_INSTANTIATE(Dim)                                                                \
   template double fastest_rate(const StencilMatrix<Dim>&, std::span<const double>,              \
-                               std::span<const double>);                                        \
-  template double fastest_node(const StencilMatrix<Dim>&, std::span<const double>,              \
-                               std::span<const double>);                                        \
+                               std::span<const NodeCoupling>);                                  \
+  template double fastest_node(const StencilMatrix<Dim>&, std::span<const double>);             \
   template bool exchanges_strongly(const HeatProblem<Dim>&);                                    \
   template StepLimit explicit_step_limit(const Points&, const HeatProblem<Dim>&,                \
                                          const HeatCoefficients<Dim>&, std::span<const double>, \

@@ -1,21 +1,21 @@
 #pragma once
 
+#include "lapilli/mpm/heat/heat_laws.hpp"
 #include "lapilli/mpm/heat/point_fields.hpp"
 #include "lapilli/mpm/stencil_matrix.hpp"
 
 namespace lapilli {
 
-/// A bound on the largest eigenvalue of C^-1 (K + diag(extra)), 1/s, from Gershgorin's circles of
+/// A bound on the largest eigenvalue of C^-1 (K + couplings), 1/s, from Gershgorin's circles of
 /// D^-1 C^-1 K D; the scaling D is improved pass by pass, and every pass is a bound of its own.
 template <int Dim>
 double fastest_rate(const StencilMatrix<Dim>& conduction, std::span<const double> lumped,
-                    std::span<const double> extra);
+                    std::span<const NodeCoupling> couplings = {});
 
-/// The largest diagonal entry of C^-1 (K + diag(extra)), 1/s: over a step beyond its inverse a node
+/// The largest diagonal entry of C^-1 K, 1/s: over a step beyond its inverse a node
 /// would pass the mean of its neighbours.
 template <int Dim>
-double fastest_node(const StencilMatrix<Dim>& conduction, std::span<const double> lumped,
-                    std::span<const double> extra);
+double fastest_node(const StencilMatrix<Dim>& conduction, std::span<const double> lumped);
 
 /// Hard limit of FLIP and PIC with one material, in h^2/alpha. FLIP runs to 1.03 at the least and
 /// to 1.5 with quadratic B-splines on every set of points measured; PIC, whose points also forget,

@@ -101,6 +101,8 @@ def plot(folder: Path, quick: bool) -> list[Path]:
             0.05,
             span=(0, 100),
         )
+        nodes = simulation.surface()["position"]
+        panel.plot(nodes[:, 0], nodes[:, 1], "c.", ms=1)
         panel.set_title(f"h = 0.1 m, {time:g} s")
     figure.colorbar(drawn, ax=list(axes[0]), shrink=0.8, label="temperature (°C)")
     pictures = [save(figure, folder / "fan_cooling.png")]

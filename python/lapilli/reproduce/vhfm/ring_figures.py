@@ -1,4 +1,4 @@
-"""Figures 10 to 14: temperatures, history, flux and convergence of the ring."""
+"""Figures 9 to 14: normals, temperatures, history, flux and convergence of the ring."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from lapilli.reproduce.figures import convergence, map_of, new_figure, save, slope
-from lapilli.reproduce.states import states
+from lapilli.reproduce.states import rms, states
 from lapilli.reproduce.vhfm.ring import (
     INNER,
     LAWS,
@@ -18,6 +18,7 @@ from lapilli.reproduce.vhfm.ring import (
     exact_solution,
     history,
     literal_error,
+    normal_errors,
     radius_of,
     ring_scene,
 )
@@ -29,12 +30,29 @@ def draw(folder: Path, quick: bool) -> list[Path]:
     """All of them."""
     cells = CELLS if quick else (*CELLS, 0.05)
     return [
+        draw_normals(folder, cells),
         draw_maps(folder),
         draw_profiles(folder),
         draw_history(folder),
         draw_flux(folder),
         draw_convergence(folder, cells),
     ]
+
+
+def draw_normals(folder: Path, cells: tuple[float, ...]) -> Path:
+    """Fig. 9: the angle between computed and radial normals around both rims."""
+    figure, axes = new_figure(1, len(cells), width=3.4)
+    for column, cell in enumerate(cells):
+        for smoothing, marker in ((0, "."), (2, "."), (4, ".")):
+            angle, error = normal_errors(cell, smoothing)
+            axes[0, column].plot(
+                angle, error, marker, ms=3, label=f"smoothed {smoothing}x, RMSE {rms(error):.2f}"
+            )
+        axes[0, column].axhspan(-10, 10, color="0.93", zorder=0)
+        axes[0, column].set(title=f"h = {cell:g} m", xlabel="place (degree)", ylim=(-25, 25))
+        axes[0, column].legend(fontsize=7)
+    axes[0, 0].set_ylabel("error of the normal (degree)")
+    return save(figure, folder / "ring_normals.png")
 
 
 def draw_maps(folder: Path) -> Path:
