@@ -105,7 +105,10 @@ def _scene_arguments(command: argparse.ArgumentParser) -> None:
 
 
 def _count(text: str) -> int:
-    number = int(text)
+    try:
+        number = int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"a whole number, got {text!r}") from None
     if not 1 <= number <= 4096:
         raise argparse.ArgumentTypeError(f"from 1 to 4096, got {number}")
     return number

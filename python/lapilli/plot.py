@@ -25,10 +25,16 @@ def require_matplotlib() -> None:
         matplotlib.use("Agg")
 
 
-def default_field(frames: Frames) -> str:
-    """Temperature where there is one, else the first field."""
+def drawn_field(frames: Frames, wanted: str | None) -> str:
+    """The field asked for; if none was, temperature where there is one, else the first field."""
     if not frames.fields:
         raise ValueError(f"{frames.path} holds no fields")
+    if wanted is not None:
+        if wanted not in frames.fields:
+            raise ValueError(
+                f"no field {wanted!r} in {frames.path}; there is: {', '.join(frames.fields)}"
+            )
+        return wanted
     return "temperature" if "temperature" in frames.fields else frames.fields[0]
 
 
@@ -52,17 +58,20 @@ def draw_frame(
             axes.set_ylim(*limits)
         return axes.plot(position[order, 0], values[order], ".-", markersize=3)[0]
     if span[2] > 0:  # look along y at the half behind the middle
-        behind = position[:, 1] >= np.median(position[:, 1])
-        position, values = position[behind][:, [0, 2]], values[behind]
+        far_first = np.argsort(-position[:, 1], kind="stable")  # the cut is painted last
+        shown = far_first[: (len(far_first) + 1) // 2]
+        spacing = np.cbrt(np.prod(span) / len(position))
+        position, values = position[shown][:, [0, 2]], values[shown]
         axes.set_ylabel("z (m)")
     else:
         axes.set_ylabel("y (m)")
+        spacing = np.sqrt(span[0] * span[1] / len(position))
     low, high = limits if limits is not None else (None, None)
     drawn = axes.scatter(
         position[:, 0],
         position[:, 1],
         c=values,
-        s=_dot_size(axes, position),
+        s=_dot_size(axes, position, spacing),
         vmin=low,
         vmax=high,
         cmap="inferno",
@@ -84,8 +93,8 @@ def draw(
     import matplotlib.pyplot as plt
 
     frames = source if isinstance(source, Frames) else Frames(source)
-    field = field or default_field(frames)
-    figure, axes = plt.subplots(figsize=(6.4, 5.2), layout="constrained")
+    field = drawn_field(frames, field)
+    figure, axes = plt.subplots(figsize=(6.4, 5.2), layout="compressed")
     drawn = draw_frame(axes, frames[-1] if time is None else frames.at(time), field)
     if hasattr(drawn, "cmap"):
         figure.colorbar(drawn, ax=axes)
@@ -108,10 +117,10 @@ def animate(
 
     save = Path(save)
     frames = source if isinstance(source, Frames) else Frames(source)
-    field = field or default_field(frames)
+    field = drawn_field(frames, field)
     ends = [scalar(frame[field]) for frame in (frames[0], frames[len(frames) // 2], frames[-1])]
     limits = (min(v.min() for v in ends), max(v.max() for v in ends))
-    figure, axes = plt.subplots(figsize=(6.4, 5.2), layout="constrained")
+    figure, axes = plt.subplots(figsize=(6.4, 5.2), layout="compressed")
     drawn = draw_frame(axes, frames[0], field, limits)
     if hasattr(drawn, "cmap"):
         figure.colorbar(drawn, ax=axes)
@@ -128,12 +137,11 @@ def animate(
     plt.close(figure)
 
 
-def _dot_size(axes: Axes, position: np.ndarray[Any, Any]) -> float:
+def _dot_size(axes: Axes, position: np.ndarray[Any, Any], spacing: float) -> float:
     """Area of a dot (points^2) such that a filled body shows no gaps."""
     span = np.ptp(position[:, :2], axis=0)
     figure = axes.get_figure(root=True)
     assert figure is not None
     width, height = figure.get_size_inches()
     per_metre = 72 * 0.75 * min(width / max(span[0], 1e-300), height / max(span[1], 1e-300))
-    spacing = np.sqrt(span[0] * span[1] / max(len(position), 1))
     return float(np.clip((1.1 * spacing * per_metre) ** 2, 0.3, 400.0))
