@@ -56,10 +56,11 @@ std::vector<double> everything(Simulation& simulation) {
     const auto sorted = scenes::by_id(simulation, field.name);
     all.insert(all.end(), sorted.begin(), sorted.end());
   }
-  for (const auto& entry : simulation.ledgers().front().entries) {
+  const Ledger ledger = simulation.ledgers().front();
+  for (const auto& entry : ledger.entries) {
     all.push_back(entry.in);
   }
-  all.push_back(simulation.ledgers().front().stored);
+  all.push_back(ledger.stored);
   return all;
 }
 

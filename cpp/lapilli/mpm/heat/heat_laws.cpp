@@ -79,7 +79,9 @@ void HeatLaws<Dim>::assign(const NodalAreas<Dim>& areas, double cell_size) {
     for (std::size_t law = 0; law < laws_.size(); ++law) {
       const Shape* region = region_of(laws_[law]);
       if (region == nullptr || covers(*region, areas.position[k], slack)) {
-        const bool is_signed = std::holds_alternative<PrescribedFlux>(laws_[law]);
+        // Only a flux that does not depend on the temperature may act on negative areas.
+        const auto* flux = std::get_if<PrescribedFlux>(&laws_[law]);
+        const bool is_signed = flux != nullptr && !flux->value.is_function();
         const double area = is_signed ? areas.area[k] : areas.positive[k];
         if (area != 0.0) {
           nodes_[law].node.push_back(areas.node[k]);
@@ -164,9 +166,26 @@ void HeatLaws<Dim>::evaluate(std::span<const double> temperature, double time) {
     };
     if (const auto* flux = std::get_if<PrescribedFlux>(&laws_[law])) {
       fill(flux->value, first_);
+      std::fill(n.slope.begin(), n.slope.end(), 0.0);
+      if (flux->value.is_function()) {
+        // The slope of a function, by a difference: a flux that falls with the temperature is taken
+        // at the end of the step like convection.
+        double span = 1.0;
+        for (const double state : n.state) {
+          span = std::max(span, std::abs(state));
+        }
+        const double rise = 1e-6 * span;
+        std::vector<double> warmer(n.state);
+        for (double& state : warmer) {
+          state += rise;
+        }
+        flux->value.evaluate(n.position, warmer, time, second_);
+        for (std::size_t k = 0; k < count; ++k) {
+          n.slope[k] = n.area[k] * std::max(0.0, (first_[k] - second_[k]) / rise);
+        }
+      }
       for (std::size_t k = 0; k < count; ++k) {
         n.rate[k] = n.area[k] * first_[k];
-        n.slope[k] = 0.0;
       }
     } else if (const auto* convection = std::get_if<Convection>(&laws_[law])) {
       fill(convection->coefficient, first_);

@@ -55,6 +55,7 @@ class HeatOnPoints final : public Physics, public HasSurface {
   void exchange_at_points(const Step& step);
   double blend(double step) const;
   void show(const std::vector<double>& nodal);
+  void require_finite() const;
 
   Points& points_;
   HeatProblem<Dim> problem_;

@@ -19,12 +19,7 @@ void HeatOnPoints<Dim>::show(const std::vector<double>& nodal) {
 }
 
 template <int Dim>
-void HeatOnPoints<Dim>::refresh_output() {
-  if (!output_is_current_) {
-    order_.update(points_);
-    project_to_grid();
-    show(grid_.temperature);
-  }
+void HeatOnPoints<Dim>::require_finite() const {
   for (Index row = 0; row < points_.size(); ++row) {
     if (!std::isfinite(temperature_[row])) {
       throw RunError(message("heat: temperature of point ", points_.id()[row],
@@ -32,6 +27,16 @@ void HeatOnPoints<Dim>::refresh_output() {
                              "too large for it"));
     }
   }
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::refresh_output() {
+  if (!output_is_current_) {
+    order_.update(points_);
+    project_to_grid();
+    show(grid_.temperature);
+  }
+  require_finite();
 }
 
 template <int Dim>
@@ -129,6 +134,7 @@ void HeatOnPoints<Dim>::load(const Archive& archive) {
 }
 
 #define LAPILLI_INSTANTIATE(Dim)                                                               \
+  template void HeatOnPoints<Dim>::require_finite() const;                                     \
   template void HeatOnPoints<Dim>::show(const std::vector<double>& nodal);                     \
   template void HeatOnPoints<Dim>::refresh_output();                                           \
   template std::vector<Field> HeatOnPoints<Dim>::fields();                                     \
