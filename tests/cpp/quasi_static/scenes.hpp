@@ -88,7 +88,7 @@ struct LinearProblem {
   template <class Change>
   void solve(const std::vector<LineWall>& walls, const WallScheme& scheme, double ghost,
              Vec<2> body_force, const Change& change) {
-    weights.build(grid, points, {});
+    weights.build(grid, points.position(), {});
     state = std::make_unique<CellState<2>>(grid, points, weights, materials);
     std::vector<Facet<2>> facets;
     for (std::size_t w = 0; w < walls.size(); ++w) {

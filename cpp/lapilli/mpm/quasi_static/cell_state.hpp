@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "lapilli/core/points.hpp"
 #include "lapilli/materials/stiffness.hpp"
 #include "lapilli/mpm/quasi_static/point_weights.hpp"
 #include "lapilli/mpm/quasi_static/surface.hpp"

@@ -1,24 +1,68 @@
 #include "lapilli/mpm/quasi_static/direct_solver.hpp"
 
-#include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <limits>
+
+#ifdef LAPILLI_CHOLMOD
+#include <Eigen/CholmodSupport>
+#else
+#include "lapilli/mpm/quasi_static/multifrontal.hpp"
+#endif
 
 namespace lapilli {
 
+#ifdef LAPILLI_CHOLMOD
+
+/// CHOLMOD with its own ordering and supernodes. A matrix that is not positive definite stops it at
+/// the first bad pivot.
 struct DirectSolver::Factor {
-  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> ldlt;
+  Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower> llt;
+  Eigen::VectorXd pivots;
+
+  void analyse(const SparseMatrix& lower, std::span<const int>) { llt.analyzePattern(lower); }
+  void factorise(const SparseMatrix& lower) {
+    llt.factorize(lower);
+    pivots.resize(1);
+    // The determinant is all that CHOLMOD tells through Eigen: the mean pivot stands for each.
+    pivots[0] = llt.info() == Eigen::Success
+                    ? std::exp(llt.logDeterminant() / static_cast<double>(lower.rows()))
+                    : -1.0;
+  }
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const { return llt.solve(right_side); }
 };
+
+#else
+
+struct DirectSolver::Factor {
+  Multifrontal fronts;
+  Eigen::VectorXd pivots;
+
+  void analyse(const SparseMatrix& lower, std::span<const int> part_start) {
+    fronts.analyse(lower, part_start);
+  }
+  void factorise(const SparseMatrix& lower) {
+    fronts.factorise(lower);
+    pivots = fronts.pivots();
+  }
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const {
+    return fronts.solve(right_side);
+  }
+};
+
+#endif
 
 DirectSolver::DirectSolver() : factor_(std::make_unique<Factor>()) {}
 DirectSolver::~DirectSolver() = default;
 
-void DirectSolver::analyse(const SparseMatrix& lower) { factor_->ldlt.analyzePattern(lower); }
+void DirectSolver::analyse(const SparseMatrix& lower, std::span<const int> part_start) {
+  factor_->analyse(lower, part_start);
+}
 
 PivotReport DirectSolver::factorise(const SparseMatrix& lower) {
-  factor_->ldlt.factorize(lower);
+  factor_->factorise(lower);
   PivotReport report;
   report.smallest = std::numeric_limits<double>::infinity();
-  const auto& pivots = factor_->ldlt.vectorD();
+  const Eigen::VectorXd& pivots = factor_->pivots;
   for (Index k = 0; k < pivots.size(); ++k) {
     if (!(pivots[k] > 0.0)) {
       ++report.not_positive;
@@ -33,7 +77,7 @@ PivotReport DirectSolver::factorise(const SparseMatrix& lower) {
 }
 
 Eigen::VectorXd DirectSolver::solve(const Eigen::VectorXd& right_side) const {
-  return factor_->ldlt.solve(right_side);
+  return factor_->solve(right_side);
 }
 
 double DirectSolver::condition(const SparseMatrix& lower) const {
@@ -66,10 +110,6 @@ double DirectSolver::condition(const SparseMatrix& lower) const {
     x[largest] = 1.0;
   }
   return estimate * column_sum.maxCoeff();
-}
-
-Eigen::VectorXd multiply(const SparseMatrix& lower, const Eigen::VectorXd& x) {
-  return lower.selfadjointView<Eigen::Lower>() * x;
 }
 
 }  // namespace lapilli

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <string>
+#include <span>
 
 #include "lapilli/mpm/quasi_static/node_system.hpp"
 
@@ -16,7 +16,9 @@ struct PivotReport {
   Index not_positive = 0;      // pivots that are not positive; 0: the matrix is positive definite
 };
 
-/// Sparse L D L^T of a symmetric matrix given by its lower triangle, already in elimination order.
+/// Sparse factorisation of a symmetric matrix given by its lower triangle, already in elimination
+/// order: fronts, or CHOLMOD where the library is built with LAPILLI_CHOLMOD (which promises the same
+/// bytes only for one processor and one thread of its BLAS).
 class DirectSolver {
  public:
   DirectSolver();
@@ -24,8 +26,9 @@ class DirectSolver {
   DirectSolver(const DirectSolver&) = delete;
   DirectSolver& operator=(const DirectSolver&) = delete;
 
-  /// Prepare for a pattern; needed again only when the pattern changes.
-  void analyse(const SparseMatrix& lower);
+  /// Prepare for a pattern; needed again only when the pattern changes. `part_start` as for
+  /// `Multifrontal`.
+  void analyse(const SparseMatrix& lower, std::span<const int> part_start);
   /// Factorise values of the analysed pattern.
   PivotReport factorise(const SparseMatrix& lower);
   Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const;
@@ -37,8 +40,5 @@ class DirectSolver {
   struct Factor;
   std::unique_ptr<Factor> factor_;
 };
-
-/// y = K x for a symmetric matrix given by its lower triangle.
-Eigen::VectorXd multiply(const SparseMatrix& lower, const Eigen::VectorXd& x);
 
 }  // namespace lapilli

@@ -84,7 +84,7 @@ void Equilibrium<Dim>::lay_out() {
     }
   }
   if (system_.lay_out(grid_, std::move(boxes))) {
-    solver_.analyse(system_.lower());
+    solver_.analyse(system_.lower(), system_.part_start());
   }
 }
 
@@ -93,7 +93,13 @@ PivotReport Equilibrium<Dim>::factorise() {
   system_.clear();
   assemble_points();
   assemble_surfaces();
-  drop_unknowns_without_stiffness();
+  constexpr double least_share = 1e-10;  // of a node inside the material
+  double modulus = 0.0;
+  for (const LinearElastic& material : materials_) {
+    modulus = std::max(modulus, material.youngs_modulus);
+  }
+  const double inside = modulus * std::pow(grid_.cell_size(), Dim - 2);
+  system_.drop_unknowns(least_share * inside, inside);
   return solver_.factorise(system_.lower());
 }
 
@@ -174,39 +180,9 @@ double Equilibrium<Dim>::ghost_stiffness(const CellBox<Dim>& pair, int axis) con
   return loads_.ghost * 0.5 * (state_.youngs[cell] + state_.youngs[cell + grid_.cell_stride(axis)]);
 }
 
-/// Nodes that only a wall reaches have no stiffness along the wall; their increments stay zero.
-template <int Dim>
-void Equilibrium<Dim>::drop_unknowns_without_stiffness() {
-  constexpr double share = 1e-10;
-  double modulus = 0.0;
-  for (const LinearElastic& material : materials_) {
-    modulus = std::max(modulus, material.youngs_modulus);
-  }
-  const double scale = modulus * std::pow(grid_.cell_size(), Dim - 2);
-  SparseMatrix& lower = system_.lower();
-  dropped_.assign(lower.rows(), 0);
-  bool any = false;
-  for (int column = 0; column < lower.cols(); ++column) {
-    const double diagonal = lower.valuePtr()[lower.outerIndexPtr()[column]];
-    dropped_[column] = std::abs(diagonal) < share * scale;
-    any = any || dropped_[column];
-  }
-  if (!any) {
-    return;
-  }
-  for (int column = 0; column < lower.cols(); ++column) {
-    for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry) {
-      if (dropped_[column] || dropped_[entry.row()]) {
-        entry.valueRef() = entry.row() == column ? scale : 0.0;
-      }
-    }
-  }
-}
-
 template <int Dim>
 void Equilibrium<Dim>::external_force() {
   external_ = Eigen::VectorXd::Zero(system_.unknowns());
-  dropped_.assign(system_.unknowns(), 0);
   if (!loads_.body_force.empty()) {
     weights_.for_each_group([&](const typename PointWeights<Dim>::Group& group) {
       for (Index k = group.begin; k < group.end; ++k) {
@@ -280,12 +256,13 @@ template <int Dim>
 Imbalance Equilibrium<Dim>::residual(const Eigen::VectorXd& u) const {
   Eigen::VectorXd internal = Eigen::VectorXd::Zero(system_.unknowns());
   add_internal_force(u, internal);
+  const Eigen::VectorXd held_back = total(u);
   double reference = std::max(external_.squaredNorm(), internal.squaredNorm());
   double wall_square = 0.0;
   const auto gather = [&](const CellBox<Dim>& box) {
     Eigen::VectorXd local(Dim * box.node_count());
     for_each_node(grid_, box, [&](int a, Index node) {
-      local.segment<Dim>(Dim * a) = u.segment<Dim>(Dim * system_.row(node));
+      local.segment<Dim>(Dim * a) = held_back.segment<Dim>(Dim * system_.row(node));
     });
     return local;
   };
@@ -313,7 +290,7 @@ Imbalance Equilibrium<Dim>::residual(const Eigen::VectorXd& u) const {
   }
   Imbalance imbalance{external_ - internal, std::sqrt(std::max(reference, wall_square))};
   for (Index k = 0; k < imbalance.force.size(); ++k) {
-    if (dropped_[k]) {
+    if (system_.is_dropped(k)) {
       imbalance.force[k] = 0.0;
     }
   }
@@ -323,6 +300,7 @@ Imbalance Equilibrium<Dim>::residual(const Eigen::VectorXd& u) const {
 template <int Dim>
 std::vector<Vec<Dim>> Equilibrium<Dim>::wall_forces(const Eigen::VectorXd& u, int walls) const {
   std::vector<Vec<Dim>> forces(walls, Vec<Dim>::Zero());
+  const Eigen::VectorXd held_back = total(u);
   for (const WallTerm<Dim>& wall : loads_.walls) {
     Vec<Dim>& force = forces[wall.wall];
     for_each_node(grid_, wall.box, [&](int a, Index node) {

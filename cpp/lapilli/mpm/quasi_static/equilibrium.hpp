@@ -18,6 +18,9 @@ struct Loads {
   std::vector<std::vector<Vec<Dim>>> tractions;  // Pa, one a point of each face
   std::array<std::vector<CellBox<Dim>>, Dim> ghost_pairs;
   double ghost = 0.0;
+  /// Displacement of the unknowns since the grid was reset, m; empty: none. Walls and ghosts resist
+  /// all of it, the material only what is added: its stress already holds the rest.
+  Eigen::VectorXd since_reset;
 };
 
 /// Equilibrium of the nodes of the background grid in one load step. The unknown is the
@@ -49,9 +52,11 @@ class Equilibrium {
 
  private:
   void lay_out();
+  Eigen::VectorXd total(const Eigen::VectorXd& u) const {
+    return loads_.since_reset.size() > 0 ? Eigen::VectorXd(loads_.since_reset + u) : u;
+  }
   void assemble_points();
   void assemble_surfaces();
-  void drop_unknowns_without_stiffness();
   void external_force();
   double ghost_stiffness(const CellBox<Dim>& pair, int axis) const;
   void add_internal_force(const Eigen::VectorXd& u, Eigen::VectorXd& force) const;
@@ -66,7 +71,6 @@ class Equilibrium {
   NodeSystem<Dim>& system_;
   DirectSolver& solver_;
   std::array<Eigen::MatrixXd, Dim> ghost_matrix_;  // one component, per unit of gamma E
-  std::vector<char> dropped_;                      // unknowns without stiffness
   Eigen::VectorXd external_;
 };
 

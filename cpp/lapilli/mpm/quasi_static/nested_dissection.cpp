@@ -12,7 +12,8 @@ class Dissection {
  public:
   Dissection(const NodeGraph& graph, std::span<const std::array<int, 3>> place)
       : graph_(graph), place_(place), part_(place.size(), 0) {
-    order_.reserve(place.size());
+    elimination_.order.reserve(place.size());
+    elimination_.part_start.push_back(0);
   }
 
   void cut(std::vector<int> nodes) {
@@ -51,7 +52,7 @@ class Dissection {
     finish(separator);
   }
 
-  std::vector<int> take() { return std::move(order_); }
+  Elimination take() { return std::move(elimination_); }
 
  private:
   int longest_axis(const std::vector<int>& nodes) const {
@@ -103,20 +104,24 @@ class Dissection {
   }
 
   void finish(const std::vector<int>& nodes) {
-    order_.insert(order_.end(), nodes.begin(), nodes.end());
+    if (nodes.empty()) {
+      return;
+    }
+    elimination_.order.insert(elimination_.order.end(), nodes.begin(), nodes.end());
+    elimination_.part_start.push_back(static_cast<int>(elimination_.order.size()));
   }
 
   const NodeGraph& graph_;
   std::span<const std::array<int, 3>> place_;
   std::vector<int> part_;
   int marks_ = 0;
-  std::vector<int> order_;
+  Elimination elimination_;
 };
 
 }  // namespace
 
-std::vector<int> nested_dissection(const NodeGraph& graph,
-                                   std::span<const std::array<int, 3>> place) {
+Elimination nested_dissection(const NodeGraph& graph,
+                              std::span<const std::array<int, 3>> place) {
   Dissection dissection(graph, place);
   std::vector<int> all(place.size());
   std::iota(all.begin(), all.end(), 0);

@@ -20,11 +20,17 @@ struct NodeGraph {
   }
 };
 
+/// An order of elimination: nodes, and where each part that is eliminated at once begins in it (with
+/// the end of the last).
+struct Elimination {
+  std::vector<int> order;
+  std::vector<int> part_start;
+};
+
 /// Order of elimination for grid nodes: the grid is cut in halves along its longest side, the nodes
-/// of the cut come last, and each half is cut again (George 1973). Returns the nodes in that order.
-/// `place` holds the integer coordinates of each node; the graph may couple any of them, but the
-/// order is good only when couplings are short.
-std::vector<int> nested_dissection(const NodeGraph& graph,
-                                   std::span<const std::array<int, 3>> place);
+/// of the cut come last, and each half is cut again (George 1973). `place` holds the integer
+/// coordinates of each node; the graph may couple any of them, but the order is good only when
+/// couplings are short.
+Elimination nested_dissection(const NodeGraph& graph, std::span<const std::array<int, 3>> place);
 
 }  // namespace lapilli

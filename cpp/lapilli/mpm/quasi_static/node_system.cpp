@@ -72,7 +72,12 @@ void NodeSystem<Dim>::number(const Grid<Dim>& grid, NodeGraph graph) {
     const auto node = grid.node_at(nodes_[k]);
     std::copy(node.begin(), node.end(), place[k].begin());
   }
-  const std::vector<int> order = nested_dissection(graph, place);
+  const Elimination elimination = nested_dissection(graph, place);
+  const std::vector<int>& order = elimination.order;
+  part_start_.clear();
+  for (int start : elimination.part_start) {
+    part_start_.push_back(Dim * start);
+  }
   std::vector<int> new_row(count);
   std::vector<Index> new_nodes(count);
   for (int k = 0; k < count; ++k) {
@@ -114,6 +119,7 @@ void NodeSystem<Dim>::number(const Grid<Dim>& grid, NodeGraph graph) {
     }
   }
   lower_.outerIndexPtr()[Dim * count] = at;
+  dropped_.assign(Dim * count, 0);
 }
 
 template <int Dim>
@@ -132,6 +138,25 @@ void NodeSystem<Dim>::add(const int* rows, int count, const double* matrix) {
         for (int r = j == 0 ? c : 0; r < Dim; ++r) {
           values[r] += matrix[(a * Dim + r) * width + b * Dim + c];
         }
+      }
+    }
+  }
+}
+
+template <int Dim>
+void NodeSystem<Dim>::drop_unknowns(double least, double pivot) {
+  bool any = false;
+  for (int column = 0; column < lower_.cols(); ++column) {
+    dropped_[column] = std::abs(lower_.valuePtr()[lower_.outerIndexPtr()[column]]) < least;
+    any = any || dropped_[column];
+  }
+  if (!any) {
+    return;
+  }
+  for (int column = 0; column < lower_.cols(); ++column) {
+    for (SparseMatrix::InnerIterator entry(lower_, column); entry; ++entry) {
+      if (dropped_[column] || dropped_[entry.row()]) {
+        entry.valueRef() = entry.row() == column ? pivot : 0.0;
       }
     }
   }

@@ -21,6 +21,9 @@ class NodeSystem {
   /// whether anything changed; if not, numbering and pattern stand.
   bool lay_out(const Grid<Dim>& grid, std::vector<CellBox<Dim>> boxes);
 
+  /// Where each part of the elimination begins in the unknowns, with the end of the last.
+  std::span<const int> part_start() const { return part_start_; }
+
   Index unknowns() const { return Dim * static_cast<Index>(nodes_.size()); }
   std::span<const Index> nodes() const { return nodes_; }
   /// Row of a grid node, -1 if it carries nothing.
@@ -35,7 +38,11 @@ class NodeSystem {
   /// that fall in the lower triangle.
   void add(const int* rows, int count, const double* matrix);
 
-  SparseMatrix& lower() { return lower_; }
+  /// Take unknowns whose diagonal is below `least` out of the system: nodes that only a wall reaches
+  /// have no stiffness along it. Their rows become `pivot` times the identity.
+  void drop_unknowns(double least, double pivot);
+  bool is_dropped(Index unknown) const { return dropped_[unknown]; }
+
   const SparseMatrix& lower() const { return lower_; }
 
  private:
@@ -47,7 +54,9 @@ class NodeSystem {
   std::vector<int> row_;      // of every grid node
   std::vector<Index> start_;  // of the rows below and on the diagonal of each node
   std::vector<int> below_;    //
+  std::vector<int> part_start_;
   SparseMatrix lower_;
+  std::vector<char> dropped_;
 };
 
 }  // namespace lapilli

@@ -10,12 +10,17 @@ namespace lapilli {
 namespace {
 
 template <int Dim>
-void require_inside(const Grid<Dim>& grid, const Points& points) {
-  for (Index p = 0; p < points.size(); ++p) {
-    const Vec<Dim> position = points.position<Dim>(p);
-    if (!grid.contains(position)) {
-      throw RunError(message("point ", points.id()[p], " lies outside the grid at ",
-                             position.transpose(), " m: enlarge the grid or lower the load"));
+Vec<Dim> place_of(std::span<const double> position, Index point) {
+  return Eigen::Map<const Vec<Dim>>(position.data() + Dim * point);
+}
+
+template <int Dim>
+void require_inside(const Grid<Dim>& grid, std::span<const double> position) {
+  for (Index p = 0; Dim * p < static_cast<Index>(position.size()); ++p) {
+    const Vec<Dim> place = place_of<Dim>(position, p);
+    if (!grid.contains(place)) {
+      throw RunError(message("point in row ", p, " lies outside the grid at ", place.transpose(),
+                             " m: enlarge the grid or lower the load"));
     }
   }
 }
@@ -50,29 +55,29 @@ void combine(const CellBox<Dim>& box, const double (&value)[Dim][Support],
 }  // namespace
 
 template <int Dim>
-void PointWeights<Dim>::build(const Grid<Dim>& grid, const Points& points,
+void PointWeights<Dim>::build(const Grid<Dim>& grid, std::span<const double> position,
                               std::span<const double> half_width) {
-  require_inside(grid, points);
-  box_.resize(points.size());
-  start_.resize(points.size() + 1);
+  require_inside(grid, position);
+  box_.resize(position.size() / Dim);
+  start_.resize(box_.size() + 1);
   if (half_width.empty()) {
-    evaluate_linear(grid, points);
+    evaluate_linear(grid, position);
   } else {
-    evaluate_gimp(grid, points, half_width);
+    evaluate_gimp(grid, position, half_width);
   }
   group_by_box(grid);
 }
 
 template <int Dim>
-void PointWeights<Dim>::evaluate_linear(const Grid<Dim>& grid, const Points& points) {
+void PointWeights<Dim>::evaluate_linear(const Grid<Dim>& grid, std::span<const double> position) {
   constexpr int nodes = 1 << Dim;
-  for (Index p = 0; p <= points.size(); ++p) {
+  for (Index p = 0; p <= size(); ++p) {
     start_[p] = p * nodes;
   }
-  value_.resize(points.size() * nodes);
-  gradient_.resize(points.size() * nodes);
-  parallel_for(points.size(), [&](Index p) {
-    const Vec<Dim> at = grid.local(points.position<Dim>(p));
+  value_.resize(size() * nodes);
+  gradient_.resize(size() * nodes);
+  parallel_for(size(), [&](Index p) {
+    const Vec<Dim> at = grid.local(place_of<Dim>(position, p));
     double value[Dim][2], gradient[Dim][2];
     for (int axis = 0; axis < Dim; ++axis) {
       box_[p].first[axis] = LinearShape::base(at[axis]);
@@ -85,13 +90,13 @@ void PointWeights<Dim>::evaluate_linear(const Grid<Dim>& grid, const Points& poi
 }
 
 template <int Dim>
-void PointWeights<Dim>::evaluate_gimp(const Grid<Dim>& grid, const Points& points,
+void PointWeights<Dim>::evaluate_gimp(const Grid<Dim>& grid, std::span<const double> position,
                                       std::span<const double> half_width) {
   // The box of cells that the domain touches; a domain that ends on a cell face stays before it.
   constexpr double shrink = 1.0 - 1e-9;
   start_[0] = 0;
-  for (Index p = 0; p < points.size(); ++p) {
-    const Vec<Dim> at = grid.local(points.position<Dim>(p));
+  for (Index p = 0; p < size(); ++p) {
+    const Vec<Dim> at = grid.local(place_of<Dim>(position, p));
     for (int axis = 0; axis < Dim; ++axis) {
       const double reach = half_width[p * Dim + axis] * grid.inverse_cell_size() * shrink;
       box_[p].first[axis] = static_cast<int>(at[axis] - reach);
@@ -101,8 +106,8 @@ void PointWeights<Dim>::evaluate_gimp(const Grid<Dim>& grid, const Points& point
   }
   value_.resize(start_.back());
   gradient_.resize(start_.back());
-  parallel_for(points.size(), [&](Index p) {
-    const Vec<Dim> at = grid.local(points.position<Dim>(p));
+  parallel_for(size(), [&](Index p) {
+    const Vec<Dim> at = grid.local(place_of<Dim>(position, p));
     double value[Dim][GimpShape::support], gradient[Dim][GimpShape::support];
     for (int axis = 0; axis < Dim; ++axis) {
       const GimpShape shape{half_width[p * Dim + axis] * grid.inverse_cell_size()};

@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "lapilli/core/points.hpp"
 #include "lapilli/mpm/quasi_static/cell_box.hpp"
 
 namespace lapilli {
@@ -19,9 +18,11 @@ class PointWeights {
     Index begin = 0, end = 0;
   };
 
-  /// Linear shape functions, or GIMP with one half-width (m) a point and axis when `half_width` is
-  /// not empty (rows x Dim). Throws RunError when a point lies outside the grid.
-  void build(const Grid<Dim>& grid, const Points& points, std::span<const double> half_width);
+  /// Linear shape functions of points at `position` (rows x Dim, m), or GIMP with one half-width (m) a
+  /// point and axis when `half_width` is not empty (rows x Dim). Throws RunError when a point lies
+  /// outside the grid.
+  void build(const Grid<Dim>& grid, std::span<const double> position,
+             std::span<const double> half_width);
 
   Index size() const { return static_cast<Index>(box_.size()); }
   const CellBox<Dim>& box(Index point) const { return box_[point]; }
@@ -38,8 +39,8 @@ class PointWeights {
   void for_each_group(const Body& body) const;
 
  private:
-  void evaluate_linear(const Grid<Dim>& grid, const Points& points);
-  void evaluate_gimp(const Grid<Dim>& grid, const Points& points,
+  void evaluate_linear(const Grid<Dim>& grid, std::span<const double> position);
+  void evaluate_gimp(const Grid<Dim>& grid, std::span<const double> position,
                      std::span<const double> half_width);
   void group_by_box(const Grid<Dim>& grid);
 

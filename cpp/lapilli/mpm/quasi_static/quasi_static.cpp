@@ -25,6 +25,21 @@ Vec3 in_space(const Vec<Dim>& place) {
   return at;
 }
 
+/// A vector law at some places and a time.
+template <int Dim>
+std::vector<Vec<Dim>> values_at(const std::vector<Value>& law, const std::vector<Vec3>& places,
+                                double time) {
+  std::vector<Vec<Dim>> vectors(places.size(), Vec<Dim>::Zero());
+  std::vector<double> values(places.size());
+  for (std::size_t axis = 0; axis < law.size(); ++axis) {
+    law[axis].evaluate(places, {}, time, values);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      vectors[k][static_cast<int>(axis)] = values[k];
+    }
+  }
+  return vectors;
+}
+
 // GIMP domains stay within these half-widths, in cells.
 constexpr double least_half_width = 0.02, largest_half_width = 0.499;
 
@@ -38,7 +53,8 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
       materials_(std::move(materials)),
       settings_(std::move(settings)),
       stress_(points, 6),
-      displacement_(points, Dim) {
+      displacement_(points, Dim),
+      reference_(points) {
   require(points.dimension() == Dim && points.size() > 0, "quasi_static needs points of dimension ",
           Dim);
   require(shape_function != ShapeFunction::bspline,
@@ -57,6 +73,8 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
           settings_.gap_bandwidth, " cells");
   scheme_ = WallScheme::of(settings_.wall_form, bandwidth, settings_.gap_bandwidth);
   ghost_ = settings_.ghost.value_or(literal ? 0.0 : 0.01);
+  reset_ = settings_.reset.value_or(literal ? 0.0 : 0.1) * grid_.cell_size();
+  require(reset_ >= 0.0, "quasi_static: reset must not be negative, got ", *settings_.reset);
   require(ghost_ >= 0.0, "quasi_static: ghost must not be negative, got ", ghost_);
   require(settings_.body_force.size() <= Dim, "quasi_static: body_force has ",
           settings_.body_force.size(), " values, the scene has ", Dim, " axes");
@@ -76,6 +94,7 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
 
   if (shape_function == ShapeFunction::gimp) {
     half_width_ = std::make_unique<PointArray>(points, Dim);
+    reference_.half_width = std::make_unique<PointArray>(points, Dim);
     const double h = grid_.cell_size();
     for (Index p = 0; p < points.size(); ++p) {
       const double width = 0.5 * std::pow(points.volume()[p], 1.0 / Dim);
@@ -83,10 +102,8 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
                   std::clamp(width, least_half_width * h, largest_half_width * h));
     }
   }
-  locate_points();
-  CellState<Dim> state(grid_, points_, weights_, materials_);
   try {
-    cut_walls(state, 0.0);
+    reset_grid(0.0);
   } catch (const RunError& error) {
     throw std::invalid_argument(error.what());
   }
@@ -106,7 +123,7 @@ StepReport QuasiStatic<Dim>::advance(const Step& step) {
     try {
       report_ = attempt(step.time, step.time + size);
       report_.halvings = halvings;
-      return {size, report_.newton.iterations, report_.newton.residual};
+      break;
     } catch (const LoadStepFailed& error) {
       if (halvings == settings_.largest_halvings) {
         throw RunError(message("load step failed after ", halvings, " halvings: ", error.what(),
@@ -114,25 +131,48 @@ StepReport QuasiStatic<Dim>::advance(const Step& step) {
       }
     }
   }
+  if (settings_.rebalance && is_reset_due()) {
+    rebalance(step.time + size);
+  }
+  return {size, report_.newton.iterations, report_.newton.residual};
+}
+
+/// Balance on the new grid. The step itself has converged; what goes wrong here the next step says.
+template <int Dim>
+void QuasiStatic<Dim>::rebalance(double time) {
+  try {
+    Report report = attempt(time, time);
+    report.halvings = report_.halvings;
+    report.newton.iterations += report_.newton.iterations;
+    report.penetration = std::max(report.penetration, report_.penetration);
+    report_ = report;
+  } catch (const RunError&) {
+    return;
+  }
 }
 
 /// One load step; changes nothing unless it converges.
 template <int Dim>
 typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::attempt(double from, double to) {
-  locate_points();
-  CellState<Dim> state(grid_, points_, weights_, materials_);
-  const Loads<Dim> loads = collect_loads(state, from, to);
-  Equilibrium<Dim> equilibrium(grid_, points_, weights_, state, materials_, stress_.values(), loads,
-                               system_, solver_);
-  Report report;
-  report.pivots = equilibrium.factorise();
-  require_positive(report.pivots);
-  report.condition = solver_.condition(system_.lower());
+  if (is_reset_due()) {
+    reset_grid(from);
+  }
+  Report report = report_;
+  Loads<Dim> loads = collect_loads(to);
+  std::unique_ptr<Equilibrium<Dim>> equilibrium = std::make_unique<Equilibrium<Dim>>(
+      grid_, points_, reference_.weights, *reference_.state, materials_, stress_.values(), loads,
+      system_, solver_);
+  if (!reference_.factorised) {
+    report.pivots = factorise_tightening(equilibrium, loads, to);
+    report.condition = solver_.condition(system_.lower());
+    reference_.factorised = true;
+  }
+  report.gap_bandwidth = 4.0 / (3.0 * reference_.scheme.pointwise);
 
   Eigen::VectorXd u = Eigen::VectorXd::Zero(system_.unknowns());
   report.newton = solve_newton(
-      u, [&](const Eigen::VectorXd& at) { return equilibrium.residual(at); },
-      [&](const Eigen::VectorXd& force) { return equilibrium.correction(force); },
+      u, [&](const Eigen::VectorXd& at) { return equilibrium->residual(at); },
+      [&](const Eigen::VectorXd& force) { return equilibrium->correction(force); },
       settings_.tolerance, settings_.largest_iterations);
   if (!report.newton.converged) {
     throw LoadStepFailed(message("Newton's method stalled at a relative residual of ",
@@ -140,26 +180,76 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::attempt(double from, double 
                                  " iterations, tolerance ", settings_.tolerance));
   }
   std::vector<Vec<Dim>> moves(points_.size());
-  parallel_for(points_.size(), [&](Index p) { moves[p] = equilibrium.displacement(p, u); });
+  parallel_for(points_.size(), [&](Index p) { moves[p] = equilibrium->displacement(p, u); });
   report.penetration = deepest_penetration(moves, from, to);
-  wall_forces_ = equilibrium.wall_forces(u, static_cast<int>(walls_.size()));
-  update_points(equilibrium, u, moves);
+  wall_forces_ = equilibrium->wall_forces(u, static_cast<int>(walls_.size()));
+  update_points(*equilibrium, u, moves);
+  reference_.moved = loads.since_reset.size() > 0 ? Eigen::VectorXd(loads.since_reset + u) : u;
   return report;
+}
+
+/// Factorise. Mean gaps on cells with next to no material may leave the matrix indefinite; then the
+/// moderate constraint is made stiffer, which only adds to it, until the grid is reset.
+template <int Dim>
+PivotReport QuasiStatic<Dim>::factorise_tightening(std::unique_ptr<Equilibrium<Dim>>& equilibrium,
+                                                   Loads<Dim>& loads, double to) {
+  constexpr int most_tightenings = 4;
+  constexpr double tighter = 4.0;
+  for (int tightenings = 0;; ++tightenings) {
+    const PivotReport pivots = equilibrium->factorise();
+    if (pivots.not_positive == 0 || settings_.wall_form != WallForm::mean_gap ||
+        tightenings == most_tightenings) {
+      require_positive(pivots);
+      return pivots;
+    }
+    reference_.scheme.pointwise *= tighter;
+    loads = collect_loads(to);
+    equilibrium = std::make_unique<Equilibrium<Dim>>(grid_, points_, reference_.weights,
+                                                     *reference_.state, materials_,
+                                                     stress_.values(), loads, system_, solver_);
+  }
+}
+
+/// The grid is reset, as ever in the material point method, but not before a point has moved: moved
+/// points no longer integrate cut cells exactly, and small displacements need not pay for that.
+template <int Dim>
+bool QuasiStatic<Dim>::is_reset_due() const {
+  const std::span<const double> now = std::as_const(points_).position();
+  const std::span<const double> then = reference_.position.values();
+  double farthest = 0.0;
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    farthest = std::max(farthest, std::abs(now[k] - then[k]));
+  }
+  return !reference_.located || (farthest > 0.0 && farthest >= reset_);
+}
+
+template <int Dim>
+void QuasiStatic<Dim>::reset_grid(double time) {
+  std::copy_n(points_.position().data(), points_.position().size(), reference_.position.data());
+  if (half_width_) {
+    std::copy_n(half_width_->data(), half_width_->values().size(), reference_.half_width->data());
+  }
+  reference_.time = time;
+  reference_.scheme = scheme_;
+  reference_.moved.resize(0);
+  locate_points();
 }
 
 template <int Dim>
 void QuasiStatic<Dim>::locate_points() {
-  if (located_version_ == points_.version()) {
-    return;
-  }
-  weights_.build(
-      grid_, points_,
-      half_width_ ? std::span<const double>(half_width_->values()) : std::span<const double>());
-  located_version_ = points_.version();
+  reference_.located = reference_.factorised = false;
+  reference_.weights.build(grid_, reference_.position.values(),
+                           half_width_ ? std::span<const double>(reference_.half_width->values())
+                                       : std::span<const double>());
+  reference_.state =
+      std::make_unique<CellState<Dim>>(grid_, points_, reference_.weights, materials_);
+  reference_.facets = cut_walls(reference_.time);
+  reference_.located = true;
 }
 
 template <int Dim>
-std::vector<Facet<Dim>> QuasiStatic<Dim>::cut_walls(CellState<Dim>& state, double time) const {
+std::vector<Facet<Dim>> QuasiStatic<Dim>::cut_walls(double time) const {
+  CellState<Dim>& state = *reference_.state;
   const std::vector<char> near = cells_near_material(grid_, state);
   std::vector<const MovingSurface<Dim>*> solids;
   for (const auto& wall : walls_) {
@@ -182,55 +272,49 @@ std::vector<Facet<Dim>> QuasiStatic<Dim>::cut_walls(CellState<Dim>& state, doubl
 }
 
 template <int Dim>
-Loads<Dim> QuasiStatic<Dim>::collect_loads(CellState<Dim>& state, double from, double to) const {
+Loads<Dim> QuasiStatic<Dim>::collect_loads(double to) const {
   Loads<Dim> loads;
-  const std::vector<Facet<Dim>> facets = cut_walls(state, from);
+  loads.since_reset = reference_.moved;
   std::vector<std::vector<Vec<Dim>>> motions;
-  for (const Facet<Dim>& facet : facets) {
-    motions.push_back(walls_[facet.surface].increments(facet, from, to));
-    loads.walls.push_back(
-        wall_term<Dim>(grid_, state, facet, kinds_[facet.surface], motions.back(), scheme_));
+  for (const Facet<Dim>& facet : reference_.facets) {
+    motions.push_back(walls_[facet.surface].increments(facet, reference_.time, to));
+    loads.walls.push_back(wall_term<Dim>(grid_, *reference_.state, facet, kinds_[facet.surface],
+                                         motions.back(), reference_.scheme));
   }
-  require_agreeing<Dim>(grid_, facets, motions, kinds_, names_);
-  require_held<Dim>(grid_, points_, weights_, facets, kinds_);
+  require_agreeing<Dim>(grid_, reference_.facets, motions, kinds_, names_);
+  require_held<Dim>(grid_, points_, reference_.weights, reference_.facets, kinds_);
   loads.ghost = ghost_;
   if (ghost_ > 0.0) {
-    loads.ghost_pairs = ghost_pairs<Dim>(grid_, state, facets);
+    loads.ghost_pairs = ghost_pairs<Dim>(grid_, *reference_.state, reference_.facets);
   }
   if (!settings_.body_force.empty()) {
     std::vector<Vec3> places(points_.size());
     for (Index p = 0; p < points_.size(); ++p) {
       places[p] = in_space<Dim>(points_.position<Dim>(p));
     }
-    std::vector<double> values(points_.size());
-    loads.body_force.assign(points_.size(), Vec<Dim>::Zero());
-    for (std::size_t axis = 0; axis < settings_.body_force.size(); ++axis) {
-      settings_.body_force[axis].evaluate(places, {}, to, values);
-      for (Index p = 0; p < points_.size(); ++p) {
-        loads.body_force[p][static_cast<int>(axis)] = values[p];
-      }
-    }
+    loads.body_force = values_at<Dim>(settings_.body_force, places, to);
   }
+  add_tractions(loads, to);
+  return loads;
+}
+
+template <int Dim>
+void QuasiStatic<Dim>::add_tractions(Loads<Dim>& loads, double time) const {
   for (std::size_t t = 0; t < tractions_.size(); ++t) {
-    for (Facet<Dim>& facet :
-         tractions_[t].cut(grid_, state.occupied, static_cast<int>(t), to, {})) {
-      loads.tractions.emplace_back(facet.points.size(), Vec<Dim>::Zero());
+    std::vector<Facet<Dim>> facets =
+        tractions_[t].cut(grid_, reference_.state->occupied, static_cast<int>(t), time, {});
+    if (facets.empty()) {
+      throw RunError(message(tractions_[t].what(), " meets no material"));
+    }
+    for (Facet<Dim>& facet : facets) {
       std::vector<Vec3> places;
       for (const auto& point : facet.points) {
         places.push_back(in_space<Dim>(point.position));
       }
-      std::vector<double> values(places.size());
-      const std::vector<Value>& traction = settings_.tractions[t].traction;
-      for (std::size_t axis = 0; axis < traction.size(); ++axis) {
-        traction[axis].evaluate(places, {}, to, values);
-        for (std::size_t q = 0; q < values.size(); ++q) {
-          loads.tractions.back()[q][static_cast<int>(axis)] = values[q];
-        }
-      }
+      loads.tractions.push_back(values_at<Dim>(settings_.tractions[t].traction, places, time));
       loads.traction_faces.push_back(std::move(facet));
     }
   }
-  return loads;
 }
 
 /// An indefinite matrix has no equilibrium worth the name: say where.
@@ -269,7 +353,11 @@ double QuasiStatic<Dim>::deepest_penetration(const std::vector<Vec<Dim>>& moves,
       throw LoadStepFailed(message("point ", points_.id()[p], " leaves the grid at ",
                                    after.transpose(), " m: enlarge the grid or lower the load"));
     }
-    for (const auto& wall : walls_) {
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+      const MovingSurface<Dim>& wall = walls_[w];
+      if (kinds_[w] == WallKind::tangent) {
+        continue;  // free across its face
+      }
       const auto start = wall.gap(in_space<Dim>(before), from);
       if (!start || *start < -limit) {
         continue;
@@ -324,8 +412,16 @@ template <int Dim>
 void QuasiStatic<Dim>::save(Archive& archive) const {
   archive.write("quasi_static/stress", stress_.values());
   archive.write("quasi_static/displacement", displacement_.values());
+  archive.write("quasi_static/reference/time", reference_.time);
+  archive.write("quasi_static/reference/pointwise", reference_.scheme.pointwise);
+  archive.write("quasi_static/reference/moved",
+                std::span<const double>(reference_.moved.data(),
+                                        static_cast<std::size_t>(reference_.moved.size())));
+  archive.write("quasi_static/reference/position", reference_.position.values());
   if (half_width_) {
     archive.write("quasi_static/half_width", std::as_const(*half_width_).values());
+    archive.write("quasi_static/reference/half_width",
+                  std::as_const(*reference_.half_width).values());
   }
 }
 
@@ -333,10 +429,17 @@ template <int Dim>
 void QuasiStatic<Dim>::load(const Archive& archive) {
   archive.read("quasi_static/stress", stress_.values());
   archive.read("quasi_static/displacement", displacement_.values());
+  reference_.time = archive.read_number("quasi_static/reference/time");
+  reference_.scheme = scheme_;
+  reference_.scheme.pointwise = archive.read_number("quasi_static/reference/pointwise");
+  const std::vector<double> moved = archive.read_numbers("quasi_static/reference/moved");
+  reference_.moved = Eigen::Map<const Eigen::VectorXd>(moved.data(), static_cast<Index>(moved.size()));
+  archive.read("quasi_static/reference/position", reference_.position.values());
   if (half_width_) {
     archive.read("quasi_static/half_width", half_width_->values());
+    archive.read("quasi_static/reference/half_width", reference_.half_width->values());
   }
-  located_version_ = -1;
+  locate_points();
 }
 
 template <int Dim>

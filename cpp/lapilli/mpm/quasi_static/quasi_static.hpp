@@ -46,13 +46,35 @@ class QuasiStatic final : public Physics {
     PivotReport pivots;
     double condition = 0.0;
     double penetration = 0.0;  // m, deepest point behind a wall it was in front of
+    double gap_bandwidth = 0.0;  // cells, after tightening
     int halvings = 0;
   };
 
+  /// What stands until the grid is reset: where the points were then, and what follows from it.
+  struct Reference {
+    explicit Reference(Points& points) : position(points, Dim) {}
+
+    double time = 0.0;
+    PointArray position;                      // m, rows x Dim
+    std::unique_ptr<PointArray> half_width;   // m, rows x Dim, of GIMP
+    PointWeights<Dim> weights;
+    std::unique_ptr<CellState<Dim>> state;
+    std::vector<Facet<Dim>> facets;           // of the walls
+    WallScheme scheme;                        // tightened when the matrix was not positive definite
+    Eigen::VectorXd moved;                    // m, of the unknowns since then; empty: nothing
+    bool located = false, factorised = false;
+  };
+
+  bool is_reset_due() const;
+  void reset_grid(double time);
   void locate_points();
-  std::vector<Facet<Dim>> cut_walls(CellState<Dim>& state, double time) const;
-  Loads<Dim> collect_loads(CellState<Dim>& state, double from, double to) const;
+  std::vector<Facet<Dim>> cut_walls(double time) const;
+  Loads<Dim> collect_loads(double to) const;
+  void add_tractions(Loads<Dim>& loads, double time) const;
   Report attempt(double from, double to);
+  void rebalance(double time);
+  PivotReport factorise_tightening(std::unique_ptr<Equilibrium<Dim>>& equilibrium,
+                                   Loads<Dim>& loads, double to);
   void require_positive(const PivotReport& pivots) const;
   double deepest_penetration(const std::vector<Vec<Dim>>& moves, double from, double to) const;
   void update_points(const Equilibrium<Dim>& equilibrium, const Eigen::VectorXd& u,
@@ -74,8 +96,8 @@ class QuasiStatic final : public Physics {
   std::vector<Vec<Dim>> wall_forces_;
   Report report_;
 
-  PointWeights<Dim> weights_;
-  Index located_version_ = -1;
+  Reference reference_;
+  double reset_ = 0.0;  // m
   NodeSystem<Dim> system_;
   DirectSolver solver_;
 };

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <map>
 #include <numeric>
+#include <sstream>
 
 #include "lapilli/core/require.hpp"
 
@@ -77,14 +78,16 @@ struct Part {
   double size() const { return (high - low).norm(); }
 };
 
+/// "(0.2, 0.1)", to six digits.
 template <int Dim>
 std::string text(const Vec<Dim>& place) {
-  std::string words = "(";
+  std::ostringstream words;
+  words << '(';
   for (int axis = 0; axis < Dim; ++axis) {
-    const double number = std::abs(place[axis]) < 1e-12 ? 0.0 : place[axis];
-    words += message(axis > 0 ? ", " : "", static_cast<float>(number));
+    words << (axis > 0 ? ", " : "") << (std::abs(place[axis]) < 1e-12 ? 0.0 : place[axis]);
   }
-  return words + ")";
+  words << ')';
+  return words.str();
 }
 
 /// The motion of a null vector in words.

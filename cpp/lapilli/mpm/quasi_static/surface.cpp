@@ -9,6 +9,8 @@ namespace {
 
 constexpr double nudge = 1e-7;  // cells; how far inside the material its cell is looked up
 
+constexpr double slight_bend = 0.8;  // cosine between normals of one facet
+
 template <int Dim>
 using Piece = std::vector<Vec<Dim>>;  // ends of a straight piece, or corners of a flat convex one
 
@@ -277,7 +279,16 @@ std::vector<Facet<2>> cut_line(const Grid<2>& grid, std::span<const Vec<2>> line
         piece = piece.size() < 2 ? piece : trim<2>(piece, region, 1e-12 * grid.cell_size());
       }
       add_points<2>(piece, normal, facet.points);
-      if (inside<2>(grid, facet.cell) && facet.area() > 1e-13 * grid.cell_size()) {
+      if (!inside<2>(grid, facet.cell) || facet.area() <= 1e-13 * grid.cell_size()) {
+        continue;
+      }
+      // A slight bend inside a cell belongs to a curve: one facet, or its two mean gaps would hold
+      // the motion along it as well.
+      if (!facets.empty() && facets.back().cell == facet.cell &&
+          facets.back().points.back().normal.dot(normal) > slight_bend) {
+        auto& points = facets.back().points;
+        points.insert(points.end(), facet.points.begin(), facet.points.end());
+      } else {
         facets.push_back(std::move(facet));
       }
     }
