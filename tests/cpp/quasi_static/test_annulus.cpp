@@ -18,8 +18,8 @@ struct Ring {
     const Grid<2> grid(lower, lower + Vec<2>(2.0 * reach, 2.0 * reach), h);
     fill_clipped(points, grid, Annulus{{0.0, 0.0}, inner, outer}, 4);
     QuasiStaticSettings settings;
-    settings.walls.push_back({"hole", WallKind::fixed, {Disk{{0.0, 0.0}, inner}, false, {}, {}},
-                              std::move(motion)});
+    settings.walls.push_back(
+        {"hole", WallKind::fixed, {Disk{{0.0, 0.0}, inner}, false, {}, {}}, std::move(motion)});
     settings.walls.push_back(
         {"rim", WallKind::roller, {Disk{{0.0, 0.0}, outer}, true, {}, {}}, {}});
     start.assign(points.position().begin(), points.position().end());
@@ -60,11 +60,10 @@ double energy_error(double h) {
     const double exx = (s[0] - lambda * trace) / (2.0 * mu);
     const double eyy = (s[1] - lambda * trace) / (2.0 * mu);
     energy += 0.5 * v * (s[0] * exx + s[1] * eyy + s[3] * s[3] / mu);
-    const double square = ring.start[2 * p] * ring.start[2 * p] +
-                          ring.start[2 * p + 1] * ring.start[2 * p + 1];
+    const double square =
+        ring.start[2 * p] * ring.start[2 * p] + ring.start[2 * p + 1] * ring.start[2 * p + 1];
     const double err = c1 - c2 / square, ett = c1 + c2 / square;
-    exact += 0.5 * v *
-             ((lambda + 2.0 * mu) * (err * err + ett * ett) + 2.0 * lambda * err * ett);
+    exact += 0.5 * v * ((lambda + 2.0 * mu) * (err * err + ett * ett) + 2.0 * lambda * err * ett);
   }
   return energy / exact - 1.0;
 }

@@ -11,8 +11,8 @@ using namespace lapilli::test;
 namespace {
 
 struct Pressed {
-  std::vector<double> force;        // on the footing, after each step
-  double highest_point = -1e300;    // above the footing, of points under it
+  std::vector<double> force;      // on the footing, after each step
+  double highest_point = -1e300;  // above the footing, of points under it
   bool finished = false;
   std::string error;
 };
@@ -23,14 +23,13 @@ Pressed press(int steps, ShapeFunction shape, const QuasiStaticSettings& form) {
   Points points(2);
   fill_clipped(points, grid, Box{{0.0, 0.0}, {3.0, 3.0}}, 2);
   QuasiStaticSettings settings = form;
-  settings.walls = {
-      {"left", WallKind::roller, {{}, false, {{0.0, 3.0}, {0.0, 0.0}}, {}}, {}},
-      {"right", WallKind::roller, {{}, false, {{3.0, 0.0}, {3.0, 3.0}}, {}}, {}},
-      {"base", WallKind::roller, {{}, false, {{0.0, 0.0}, {3.0, 0.0}}, {}}, {}},
-      {"footing",
-       WallKind::fixed,
-       {{}, false, {{2.0, 3.0}, {1.0, 3.0}}, {}},
-       {0.0, Table{{0.0, 1.0}, {0.0, -1.0}}}}};
+  settings.walls = {{"left", WallKind::roller, {{}, false, {{0.0, 3.0}, {0.0, 0.0}}, {}}, {}},
+                    {"right", WallKind::roller, {{}, false, {{3.0, 0.0}, {3.0, 3.0}}, {}}, {}},
+                    {"base", WallKind::roller, {{}, false, {{0.0, 0.0}, {3.0, 0.0}}, {}}, {}},
+                    {"footing",
+                     WallKind::fixed,
+                     {{}, false, {{2.0, 3.0}, {1.0, 3.0}}, {}},
+                     {0.0, Table{{0.0, 1.0}, {0.0, -1.0}}}}};
   QuasiStatic<2> physics(points, grid, shape, {elastic}, settings);
   const std::vector<double> start(points.position().begin(), points.position().end());
   Pressed result;

@@ -41,21 +41,20 @@ Pushed push(double h, WallForm form, double bandwidth) {
   for (double x = 140.0; x > -0.5 * h; x -= h) {
     top.push_back({x, roof(x)});
   }
-  settings.walls = {
-      {"roof", WallKind::roller, {{}, false, numbers(top), {}}, {}},
-      {"floor", WallKind::roller, {{}, false, {{0.0, 0.0}, {140.0, 0.0}}, {}}, {}},
-      {"piston",
-       WallKind::roller,
-       {{}, false, {{0.0, 40.0}, {0.0, 0.0}}, {}},
-       {Table{{0.0, 1.0}, {0.0, push_length}}}}};
+  settings.walls = {{"roof", WallKind::roller, {{}, false, numbers(top), {}}, {}},
+                    {"floor", WallKind::roller, {{}, false, {{0.0, 0.0}, {140.0, 0.0}}, {}}, {}},
+                    {"piston",
+                     WallKind::roller,
+                     {{}, false, {{0.0, 40.0}, {0.0, 0.0}}, {}},
+                     {Table{{0.0, 1.0}, {0.0, push_length}}}}};
   QuasiStatic<2> physics(points, grid, ShapeFunction::linear, {elastic}, settings);
   Pushed result;
   for (int step = 0; step < 6; ++step) {
     REQUIRE(physics.advance({step / 6.0, 1.0 / 6.0, step}).accepted == 1.0 / 6.0);
     for (Index p = 0; p < points.size(); ++p) {
       const double x = points.position()[2 * p], y = points.position()[2 * p + 1];
-      result.outside = std::max(
-          {result.outside, y - roof(x), -y, push_length * (step + 1) / 6.0 - x});
+      result.outside =
+          std::max({result.outside, y - roof(x), -y, push_length * (step + 1) / 6.0 - x});
     }
   }
   for (Index p = 0; p < points.size(); ++p) {

@@ -53,12 +53,11 @@ Drift hold_block(double degrees) {
     return WallSettings{name, WallKind::roller, {half, true, {}, {}}, std::move(motion)};
   };
   QuasiStaticSettings settings;
-  settings.walls = {wall("left", c[0], -block.e1, {}),
-                    wall("base", c[0], -block.e2, {}),
-                    wall("top", c[3], block.e2, {}),
-                    wall("right", c[1], block.e1,
-                         {Table{{0.0, 1.0}, {0.0, block.e1[0]}},
-                          Table{{0.0, 1.0}, {0.0, block.e1[1]}}})};
+  settings.walls = {
+      wall("left", c[0], -block.e1, {}), wall("base", c[0], -block.e2, {}),
+      wall("top", c[3], block.e2, {}),
+      wall("right", c[1], block.e1,
+           {Table{{0.0, 1.0}, {0.0, block.e1[0]}}, Table{{0.0, 1.0}, {0.0, block.e1[1]}}})};
   QuasiStatic<2> physics(points, grid, ShapeFunction::linear, {elastic}, settings);
   physics.advance({0.0, 1.0, 0});
   return hold(physics, points, 1.0);
@@ -93,14 +92,13 @@ Drift hold_footing(double h, int m) {
   fill_clipped(points, grid, Box{{0.0, 0.0}, {3.0, 3.0}}, m);
   QuasiStaticSettings settings;
   settings.bandwidth = 1e-6;
-  settings.walls = {
-      {"left", WallKind::roller, {{}, false, {{0.0, 3.0}, {0.0, 0.0}}, {}}, {}},
-      {"right", WallKind::roller, {{}, false, {{3.0, 0.0}, {3.0, 3.0}}, {}}, {}},
-      {"base", WallKind::roller, {{}, false, {{0.0, 0.0}, {3.0, 0.0}}, {}}, {}},
-      {"footing",
-       WallKind::fixed,
-       {{}, false, {{2.0, 3.0}, {1.0, 3.0}}, {}},
-       {0.0, Table{{0.0, 1.0}, {0.0, -0.3}}}}};
+  settings.walls = {{"left", WallKind::roller, {{}, false, {{0.0, 3.0}, {0.0, 0.0}}, {}}, {}},
+                    {"right", WallKind::roller, {{}, false, {{3.0, 0.0}, {3.0, 3.0}}, {}}, {}},
+                    {"base", WallKind::roller, {{}, false, {{0.0, 0.0}, {3.0, 0.0}}, {}}, {}},
+                    {"footing",
+                     WallKind::fixed,
+                     {{}, false, {{2.0, 3.0}, {1.0, 3.0}}, {}},
+                     {0.0, Table{{0.0, 1.0}, {0.0, -0.3}}}}};
   QuasiStatic<2> physics(points, grid, ShapeFunction::gimp, {elastic}, settings);
   for (int step = 0; step < 6; ++step) {
     physics.advance({step / 6.0, 1.0 / 6.0, step});
@@ -119,7 +117,8 @@ TEST_CASE("hold steps: a block in uniform stress stays as it is") {
 }
 
 TEST_CASE("hold steps: cantilever and footing stay balanced") {
-  for (const Drift& drift : {hold_cantilever(4.0, 2), hold_cantilever(4.0, 4), hold_footing(0.2, 2)}) {
+  for (const Drift& drift :
+       {hold_cantilever(4.0, 2), hold_cantilever(4.0, 4), hold_footing(0.2, 2)}) {
     INFO("largest " << drift.largest << ", RMS " << drift.rms);
     CHECK(drift.rms <= 1e-3);
   }

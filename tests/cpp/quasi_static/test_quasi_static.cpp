@@ -25,10 +25,9 @@ struct Block {
   explicit Block(ShapeFunction shape = ShapeFunction::gimp) : shape_function(shape) {
     fill_clipped(points, grid, polygon(block.corners()), 2);
     const Vec<2> a = block.corner;
-    settings.walls = {wall("left", WallKind::roller,
-                           side(a[0], a[1], -block.e1[0], -block.e1[1]), true),
-                      wall("base", WallKind::roller,
-                           side(a[0], a[1], -block.e2[0], -block.e2[1]), true)};
+    settings.walls = {
+        wall("left", WallKind::roller, side(a[0], a[1], -block.e1[0], -block.e1[1]), true),
+        wall("base", WallKind::roller, side(a[0], a[1], -block.e2[0], -block.e2[1]), true)};
     settings.body_force = {Table{{0.0, 1.0}, {0.0, 3.0 * -block.e2[0]}},
                            Table{{0.0, 1.0}, {0.0, 3.0 * -block.e2[1]}}};
   }
@@ -135,8 +134,8 @@ TEST_CASE("quasi-static: walls carry the load, and the report says how it went")
 }
 
 TEST_CASE("quasi-static: a traction stretches a bar") {
-  // Uniaxial stress in plane strain; the pull is on the right end of an aligned, unturned block whose
-  // ends do not fit the grid.
+  // Uniaxial stress in plane strain; the pull is on the right end of an aligned, unturned block
+  // whose ends do not fit the grid.
   Points points(2);
   const Grid<2> grid(Vec<2>(-1.0, -1.0), Vec<2>(6.0, 4.0), 1.0);
   fill_clipped(points, grid, Box{{0.3, 0.0}, {4.6, 3.0}}, 2);
@@ -158,8 +157,7 @@ TEST_CASE("quasi-static: a traction stretches a bar") {
 
 TEST_CASE("quasi-static: a wall that cuts nothing is refused by name") {
   Block block;
-  block.settings.walls.push_back(
-      wall("far", WallKind::fixed, side(5.5, 0.0, 1.0, 0.0), true));
+  block.settings.walls.push_back(wall("far", WallKind::fixed, side(5.5, 0.0, 1.0, 0.0), true));
   CHECK_THAT(block.refusal(), Contains("wall 'far' cuts no material"));
   Block wrong_side;
   wrong_side.settings.walls.push_back({"line", WallKind::fixed, {}, {}});
@@ -183,8 +181,8 @@ TEST_CASE("quasi-static: contradicting walls are named") {
 TEST_CASE("quasi-static: the rigid motion that is left is named") {
   Block sliding;
   sliding.settings.walls.erase(sliding.settings.walls.begin());
-  CHECK_THAT(sliding.failure(), Contains("held by nothing against translation along") &&
-                                    Contains("0.93969"));
+  CHECK_THAT(sliding.failure(),
+             Contains("held by nothing against translation along") && Contains("0.93969"));
   Block loose;
   loose.settings.walls.clear();
   CHECK_THAT(loose.failure(), Contains("every rigid motion"));

@@ -85,7 +85,7 @@ Solid clip(const Solid& solid, const Plane& plane, double slack) {
   for (const Face& face : solid) {
     Face rest;
     for (std::size_t k = 0; k < face.size(); ++k) {
-      const Vec3&p = face[k], &q = face[(k + 1) % face.size()];
+      const Vec3 &p = face[k], &q = face[(k + 1) % face.size()];
       const double a = (p - plane.at).dot(plane.inward), b = (q - plane.at).dot(plane.inward);
       if (a >= -slack) {
         rest.push_back(p);
@@ -154,8 +154,8 @@ void add_points(const Solid& solid, double smallest, FilledPoints& points) {
   }
 }
 
-/// The part of a box in a shape with curved faces or edges: its six tetrahedra, each cut by the plane
-/// through the linear interpolant of the distance.
+/// The part of a box in a shape with curved faces or edges: its six tetrahedra, each cut by the
+/// plane through the linear interpolant of the distance.
 void add_curved(const Shape& shape, const Vec3& low, double size, FilledPoints& points) {
   const double slack = 1e-13 * size;
   std::array<int, 3> axes{0, 1, 2};

@@ -13,20 +13,45 @@ namespace lapilli {
 
 #ifdef LAPILLI_CHOLMOD
 
-/// CHOLMOD with its own ordering and supernodes. A matrix that is not positive definite stops it at
-/// the first bad pivot.
+namespace {
+
+/// The supernodal factor of CHOLMOD, with its diagonal in view.
+class Supernodal : public Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower> {
+ public:
+  /// Squares of the diagonal of L, by unknown; not a number from the first bad pivot on.
+  Eigen::VectorXd pivots() const {
+    const cholmod_factor& factor = *m_cholmodFactor;
+    Eigen::VectorXd all = Eigen::VectorXd::Constant(static_cast<Index>(factor.n),
+                                                    std::numeric_limits<double>::quiet_NaN());
+    const auto* super = static_cast<const int*>(factor.super);
+    const auto* rows = static_cast<const int*>(factor.pi);
+    const auto* values = static_cast<const int*>(factor.px);
+    const auto* unknown = static_cast<const int*>(factor.Perm);
+    const auto* entries = static_cast<const double*>(factor.x);
+    for (std::size_t k = 0; k < factor.nsuper; ++k) {
+      const Index height = rows[k + 1] - rows[k];
+      for (int column = super[k]; column < super[k + 1]; ++column) {
+        const double entry = entries[values[k] + (column - super[k]) * (height + 1)];
+        if (static_cast<std::size_t>(column) < factor.minor) {
+          all[unknown[column]] = entry * entry;
+        }
+      }
+    }
+    return all;
+  }
+};
+
+}  // namespace
+
+/// CHOLMOD with its own ordering and supernodes.
 struct DirectSolver::Factor {
-  Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower> llt;
+  Supernodal llt;
   Eigen::VectorXd pivots;
 
   void analyse(const SparseMatrix& lower, std::span<const int>) { llt.analyzePattern(lower); }
   void factorise(const SparseMatrix& lower) {
     llt.factorize(lower);
-    pivots.resize(1);
-    // The determinant is all that CHOLMOD tells through Eigen: the mean pivot stands for each.
-    pivots[0] = llt.info() == Eigen::Success
-                    ? std::exp(llt.logDeterminant() / static_cast<double>(lower.rows()))
-                    : -1.0;
+    pivots = llt.pivots();
   }
   Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const { return llt.solve(right_side); }
 };

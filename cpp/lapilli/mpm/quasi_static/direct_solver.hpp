@@ -17,8 +17,8 @@ struct PivotReport {
 };
 
 /// Sparse factorisation of a symmetric matrix given by its lower triangle, already in elimination
-/// order: fronts, or CHOLMOD where the library is built with LAPILLI_CHOLMOD (which promises the same
-/// bytes only for one processor and one thread of its BLAS).
+/// order: fronts, or CHOLMOD where the library is built with LAPILLI_CHOLMOD (which promises the
+/// same bytes only for one processor and one thread of its BLAS).
 class DirectSolver {
  public:
   DirectSolver();

@@ -7,8 +7,8 @@
 namespace lapilli {
 namespace {
 
-/// Eliminate the first `own` unknowns of a symmetric matrix given by its lower triangle: their columns
-/// become L, the diagonal D, and the rest is left as it stands without them.
+/// Eliminate the first `own` unknowns of a symmetric matrix given by its lower triangle: their
+/// columns become L, the diagonal D, and the rest is left as it stands without them.
 void eliminate_first(Eigen::MatrixXd& matrix, int own, double* pivots) {
   constexpr int block = 48;
   const auto size = static_cast<int>(matrix.rows());
@@ -160,8 +160,10 @@ Eigen::VectorXd Multifrontal::solve(const Eigen::VectorXd& right_side) const {
       border[static_cast<Index>(k)] = x[front->border[k]];
     }
     own.noalias() -= front->panel.bottomRows(border.size()).transpose() * border;
-    front->panel.topRows(front->own).triangularView<Eigen::UnitLower>().transpose().solveInPlace(
-        own);
+    front->panel.topRows(front->own)
+        .triangularView<Eigen::UnitLower>()
+        .transpose()
+        .solveInPlace(own);
   }
   return x;
 }

@@ -8,9 +8,9 @@
 
 namespace lapilli {
 
-/// Sparse L D L^T without pivoting by fronts (Duff & Reid 1983): unknowns are eliminated part by part,
-/// each part as a dense matrix of its own unknowns and those it is coupled to. Parts that do not
-/// depend on each other are worked on by several threads, with the same bytes for any number.
+/// Sparse L D L^T without pivoting by fronts (Duff & Reid 1983): unknowns are eliminated part by
+/// part, each part as a dense matrix of its own unknowns and those it is coupled to. Parts that do
+/// not depend on each other are worked on by several threads, with the same bytes for any number.
 class Multifrontal {
  public:
   /// Prepare for a pattern in elimination order. `part_start` cuts the unknowns into parts that are
@@ -25,10 +25,10 @@ class Multifrontal {
 
  private:
   struct Front {
-    int begin = 0, own = 0;       // unknowns eliminated here
-    std::vector<int> border;      // unknowns coupled to them that come later, sorted
-    std::vector<int> children;    // fronts whose borders end here
-    Eigen::MatrixXd panel;        // (own + border) x own: factors of the own columns
+    int begin = 0, own = 0;     // unknowns eliminated here
+    std::vector<int> border;    // unknowns coupled to them that come later, sorted
+    std::vector<int> children;  // fronts whose borders end here
+    Eigen::MatrixXd panel;      // (own + border) x own: factors of the own columns
   };
 
   void build(const SparseMatrix& lower, Front& front, Eigen::MatrixXd& matrix) const;

@@ -120,8 +120,7 @@ class Dissection {
 
 }  // namespace
 
-Elimination nested_dissection(const NodeGraph& graph,
-                              std::span<const std::array<int, 3>> place) {
+Elimination nested_dissection(const NodeGraph& graph, std::span<const std::array<int, 3>> place) {
   Dissection dissection(graph, place);
   std::vector<int> all(place.size());
   std::iota(all.begin(), all.end(), 0);

@@ -20,8 +20,8 @@ struct NodeGraph {
   }
 };
 
-/// An order of elimination: nodes, and where each part that is eliminated at once begins in it (with
-/// the end of the last).
+/// An order of elimination: nodes, and where each part that is eliminated at once begins in it
+/// (with the end of the last).
 struct Elimination {
   std::vector<int> order;
   std::vector<int> part_start;

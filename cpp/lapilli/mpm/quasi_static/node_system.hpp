@@ -38,8 +38,8 @@ class NodeSystem {
   /// that fall in the lower triangle.
   void add(const int* rows, int count, const double* matrix);
 
-  /// Take unknowns whose diagonal is below `least` out of the system: nodes that only a wall reaches
-  /// have no stiffness along it. Their rows become `pivot` times the identity.
+  /// Take unknowns whose diagonal is below `least` out of the system: nodes that only a wall
+  /// reaches have no stiffness along it. Their rows become `pivot` times the identity.
   void drop_unknowns(double least, double pivot);
   bool is_dropped(Index unknown) const { return dropped_[unknown]; }
 

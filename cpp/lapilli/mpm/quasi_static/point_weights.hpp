@@ -18,9 +18,9 @@ class PointWeights {
     Index begin = 0, end = 0;
   };
 
-  /// Linear shape functions of points at `position` (rows x Dim, m), or GIMP with one half-width (m) a
-  /// point and axis when `half_width` is not empty (rows x Dim). Throws RunError when a point lies
-  /// outside the grid.
+  /// Linear shape functions of points at `position` (rows x Dim, m), or GIMP with one half-width
+  /// (m) a point and axis when `half_width` is not empty (rows x Dim). Throws RunError when a point
+  /// lies outside the grid.
   void build(const Grid<Dim>& grid, std::span<const double> position,
              std::span<const double> half_width);
 

@@ -73,6 +73,7 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
           settings_.gap_bandwidth, " cells");
   scheme_ = WallScheme::of(settings_.wall_form, bandwidth, settings_.gap_bandwidth);
   ghost_ = settings_.ghost.value_or(literal ? 0.0 : 0.01);
+  settings_.rebalance = settings_.rebalance && !literal;
   reset_ = settings_.reset.value_or(literal ? 0.0 : 0.1) * grid_.cell_size();
   require(reset_ >= 0.0, "quasi_static: reset must not be negative, got ", *settings_.reset);
   require(ghost_ >= 0.0, "quasi_static: ghost must not be negative, got ", ghost_);
@@ -159,9 +160,9 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::attempt(double from, double 
   }
   Report report = report_;
   Loads<Dim> loads = collect_loads(to);
-  std::unique_ptr<Equilibrium<Dim>> equilibrium = std::make_unique<Equilibrium<Dim>>(
-      grid_, points_, reference_.weights, *reference_.state, materials_, stress_.values(), loads,
-      system_, solver_);
+  std::unique_ptr<Equilibrium<Dim>> equilibrium =
+      std::make_unique<Equilibrium<Dim>>(grid_, points_, reference_.weights, *reference_.state,
+                                         materials_, stress_.values(), loads, system_, solver_);
   if (!reference_.factorised) {
     report.pivots = factorise_tightening(equilibrium, loads, to);
     report.condition = solver_.condition(system_.lower());
@@ -204,9 +205,9 @@ PivotReport QuasiStatic<Dim>::factorise_tightening(std::unique_ptr<Equilibrium<D
     }
     reference_.scheme.pointwise *= tighter;
     loads = collect_loads(to);
-    equilibrium = std::make_unique<Equilibrium<Dim>>(grid_, points_, reference_.weights,
-                                                     *reference_.state, materials_,
-                                                     stress_.values(), loads, system_, solver_);
+    equilibrium =
+        std::make_unique<Equilibrium<Dim>>(grid_, points_, reference_.weights, *reference_.state,
+                                           materials_, stress_.values(), loads, system_, solver_);
   }
 }
 
@@ -433,7 +434,8 @@ void QuasiStatic<Dim>::load(const Archive& archive) {
   reference_.scheme = scheme_;
   reference_.scheme.pointwise = archive.read_number("quasi_static/reference/pointwise");
   const std::vector<double> moved = archive.read_numbers("quasi_static/reference/moved");
-  reference_.moved = Eigen::Map<const Eigen::VectorXd>(moved.data(), static_cast<Index>(moved.size()));
+  reference_.moved =
+      Eigen::Map<const Eigen::VectorXd>(moved.data(), static_cast<Index>(moved.size()));
   archive.read("quasi_static/reference/position", reference_.position.values());
   if (half_width_) {
     archive.read("quasi_static/half_width", half_width_->values());

@@ -45,7 +45,7 @@ class QuasiStatic final : public Physics {
     NewtonReport newton;
     PivotReport pivots;
     double condition = 0.0;
-    double penetration = 0.0;  // m, deepest point behind a wall it was in front of
+    double penetration = 0.0;    // m, deepest point behind a wall it was in front of
     double gap_bandwidth = 0.0;  // cells, after tightening
     int halvings = 0;
   };
@@ -55,13 +55,13 @@ class QuasiStatic final : public Physics {
     explicit Reference(Points& points) : position(points, Dim) {}
 
     double time = 0.0;
-    PointArray position;                      // m, rows x Dim
-    std::unique_ptr<PointArray> half_width;   // m, rows x Dim, of GIMP
+    PointArray position;                     // m, rows x Dim
+    std::unique_ptr<PointArray> half_width;  // m, rows x Dim, of GIMP
     PointWeights<Dim> weights;
     std::unique_ptr<CellState<Dim>> state;
-    std::vector<Facet<Dim>> facets;           // of the walls
-    WallScheme scheme;                        // tightened when the matrix was not positive definite
-    Eigen::VectorXd moved;                    // m, of the unknowns since then; empty: nothing
+    std::vector<Facet<Dim>> facets;  // of the walls
+    WallScheme scheme;               // tightened when the matrix was not positive definite
+    Eigen::VectorXd moved;           // m, of the unknowns since then; empty: nothing
     bool located = false, factorised = false;
   };
 

@@ -100,12 +100,12 @@ struct TractionSettings {
 /// elastic bodies; plane strain in two dimensions.
 struct QuasiStaticSettings {
   WallForm wall_form = WallForm::mean_gap;
-  std::optional<double> bandwidth;   // cells, of the stiff constraint; 1e-3, literal 1e-6
-  double gap_bandwidth = 0.05;       // cells, of the moderate constraint: mean-gap and nitsche
-  std::optional<double> ghost;       // stabilisation of cut and surface cells; 0.01, literal 0
-  bool hold_empty_cells = true;      // a wall in an empty cell next to material keeps its hold
-  std::optional<double> reset;       // cells a point moves before the grid is reset; 0.1, literal 0
-  bool rebalance = true;             // when the grid is due for a reset, balance on the new one at once
+  std::optional<double> bandwidth;  // cells, of the stiff constraint; 1e-3, literal 1e-6
+  double gap_bandwidth = 0.05;      // cells, of the moderate constraint: mean-gap and nitsche
+  std::optional<double> ghost;      // stabilisation of cut and surface cells; 0.01, literal 0
+  bool hold_empty_cells = true;     // a wall in an empty cell next to material keeps its hold
+  std::optional<double> reset;      // cells a point moves before the grid is reset; 0.1, literal 0
+  bool rebalance = true;            // balance once more where a step makes a reset due; literal not
   double largest_penetration = 0.5;  // cells; a point further behind a wall fails the load step
   std::vector<Value> body_force;     // N/m3, one value an axis
   double tolerance = 1e-10;          // of the out-of-balance force, relative
@@ -134,11 +134,13 @@ struct QuasiStaticSettings {
     visit(Key("hold_empty_cells").text("a wall in an empty cell next to material keeps its hold"),
           self.hold_empty_cells);
     visit(Key("reset").unit("cells").range(0.0, 1.0).text(
-              "points keep their shape functions until one has moved this far; absent: 0.1, literal 0"),
+              "points keep their shape functions until one has moved this far; absent: 0.1, "
+              "literal 0"),
           self.reset);
-    visit(Key("rebalance").text(
-              "a step after which the grid is reset balances once more on the new grid, so that the "
-              "next step starts from equilibrium"),
+    visit(Key("rebalance")
+              .text("a step after which the grid is reset balances once more on the new grid, so "
+                    "that the "
+                    "next step starts from equilibrium; literal never does"),
           self.rebalance);
     visit(Key("largest_penetration")
               .unit("cells")

@@ -57,8 +57,8 @@ struct LevelSet {
 using Trims = std::span<const std::function<double(const Vec3&)>>;
 
 /// Cut an open line of points, the material on its left, at every grid line: facets with three
-/// Gauss points each, which integrate products of bilinear functions exactly. Bends up to 37 degrees inside
-/// a cell share one facet.
+/// Gauss points each, which integrate products of bilinear functions exactly. Bends up to 37
+/// degrees inside a cell share one facet.
 std::vector<Facet<2>> cut_line(const Grid<2>& grid, std::span<const Vec<2>> line, int surface,
                                Trims trims = {});
 
