@@ -1,0 +1,201 @@
+#include "lapilli/peridynamics/heat.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/parallel.hpp"
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+
+PeridynamicHeat::PeridynamicHeat(Points& points, std::shared_ptr<const WallSurface> walls,
+                                 const PeridynamicHeatSettings& settings)
+    : points_(points),
+      walls_(std::move(walls)),
+      settings_(settings),
+      exchange_(make_heat_exchange(points, *walls_, settings)),
+      temperature_(points, 1, settings.initial_temperature),
+      capacity_(points, 1),
+      rate_(points, 1),
+      surface_(walls_->walls().size()),
+      from_walls_(walls_->walls().size(), 0.0),
+      taken_in_(walls_->walls().size() + 2, 0.0) {
+  for (Index i = 0; i < points.size(); ++i) {
+    if (walls_->wall(i) < 0) {
+      capacity_[i] = settings_.density * settings_.specific_heat * points.volume()[i];
+    }
+  }
+  prescribe_walls(0.0);
+}
+
+StepLimit PeridynamicHeat::step_limit() const {
+  const double diffusivity =
+      settings_.conductivity / (settings_.density * settings_.specific_heat);
+  if (diffusivity == 0.0) {
+    return {};
+  }
+  const double natural =
+      walls_->spacing() * walls_->spacing() / (points_.dimension() * diffusivity);
+  return {0.5 * natural, settings_.step_factor * natural, "explicit conduction, 0.5 dx^2/(dim alpha)"};
+}
+
+StepReport PeridynamicHeat::advance(const Step& step) {
+  if (!started_) {
+    initial_ = stored();
+    started_ = true;
+  }
+  prescribe_walls(step.time);
+  exchange_->update();
+  exchange_->rates(temperature_.data(), surface_, rate_.data(), from_walls_);
+  add_sources(step);
+  update_points(step);
+  return {step.size, 0, 0.0};
+}
+
+void PeridynamicHeat::prescribe_walls(double time) {
+  for (std::size_t k = 0; k < surface_.size(); ++k) {
+    const WallSettings& wall = walls_->walls()[k].settings;
+    surface_[k].temperature = wall.temperature.at(time);
+    surface_[k].flux = wall.flux.at(time);
+  }
+  for (Index i = 0; i < points_.size(); ++i) {
+    const int k = walls_->wall(i);
+    if (k >= 0 && walls_->walls()[k].settings.heat == WallHeat::temperature) {
+      temperature_[i] = surface_[k].temperature;
+    }
+  }
+}
+
+void PeridynamicHeat::add_sources(const Step& step) {
+  source_power_ = dissipated_power_ = 0.0;
+  const Value& source = settings_.source;
+  const bool constant = source.is_constant() && source.at(0.0) == 0.0;
+  if (!constant) {
+    std::vector<Vec3> place;
+    std::vector<double> density(static_cast<std::size_t>(points_.size()));
+    if (source.is_function()) {
+      place.assign(static_cast<std::size_t>(points_.size()), Vec3::Zero());
+      for (Index i = 0; i < points_.size(); ++i) {
+        for (int d = 0; d < points_.dimension(); ++d) {
+          place[i][d] = points_.position()[i * points_.dimension() + d];
+        }
+      }
+    }
+    source.evaluate(place, temperature_.values(), step.time, density);
+    for (Index i = 0; i < points_.size(); ++i) {
+      if (walls_->wall(i) < 0) {
+        const double power = density[i] * capacity_[i] / (settings_.density * settings_.specific_heat);
+        rate_[i] += power;
+        source_power_ += power;
+      }
+    }
+  }
+  if (dissipation_ != nullptr) {
+    for (Index i = 0; i < points_.size(); ++i) {
+      if (walls_->wall(i) < 0) {
+        const double power =
+            (*dissipation_)[i] * capacity_[i] / (settings_.density * settings_.specific_heat);
+        rate_[i] += power;
+        dissipated_power_ += power;
+      }
+    }
+  }
+}
+
+void PeridynamicHeat::update_points(const Step& step) {
+  parallel_for(points_.size(), [&](Index i) {
+    if (capacity_[i] > 0.0) {
+      temperature_[i] += step.size * rate_[i] / capacity_[i];
+    }
+  });
+  for (std::size_t k = 0; k < from_walls_.size(); ++k) {
+    taken_in_[k] += step.size * from_walls_[k];
+  }
+  taken_in_[from_walls_.size()] += step.size * source_power_;
+  taken_in_[from_walls_.size() + 1] += step.size * dissipated_power_;
+  if (step.index % 64 == 0) {
+    for (Index i = 0; i < points_.size(); ++i) {
+      if (!std::isfinite(temperature_[i])) {
+        throw RunError(message("temperature of point ", points_.id()[i],
+                               " is no longer a number: the step of ", step.size,
+                               " s is too long, or the flow has become unstable"));
+      }
+    }
+  }
+}
+
+double PeridynamicHeat::stored() const {
+  return parallel_sum(points_.size(), 0.0, [&](Index i) { return capacity_[i] * temperature_[i]; });
+}
+
+double PeridynamicHeat::wall_range() const {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (std::size_t k = 0; k < surface_.size(); ++k) {
+    if (walls_->walls()[k].settings.heat == WallHeat::temperature) {
+      least = std::min(least, surface_[k].temperature);
+      most = std::max(most, surface_[k].temperature);
+    }
+  }
+  return most > least ? most - least : 0.0;
+}
+
+double PeridynamicHeat::wall_flux(int wall, const Vec3& place, double reach) const {
+  return exchange_->wall_flux(wall, place, reach, temperature_.data(), surface_);
+}
+
+void PeridynamicHeat::refresh_output() {}
+
+std::vector<Field> PeridynamicHeat::fields() {
+  return {{"temperature", "K", 1, temperature_.values()}};
+}
+
+std::vector<Ledger> PeridynamicHeat::ledgers() const {
+  Ledger ledger;
+  ledger.quantity = "heat";
+  ledger.unit = "J";
+  ledger.stored = stored();
+  ledger.initial = started_ ? initial_ : ledger.stored;
+  for (std::size_t k = 0; k < from_walls_.size(); ++k) {
+    ledger.entries.push_back({message("wall ", walls_->walls()[k].settings.name), taken_in_[k]});
+  }
+  ledger.entries.push_back({"source", taken_in_[from_walls_.size()]});
+  if (dissipation_ != nullptr) {
+    ledger.entries.push_back({"dissipation", taken_in_[from_walls_.size() + 1]});
+  }
+  ledger.scale = std::max(std::abs(ledger.initial), std::abs(ledger.stored));
+  return {ledger};
+}
+
+void PeridynamicHeat::save(Archive& archive) const {
+  archive.write("heat/temperature", temperature_.values());
+  archive.write("heat/capacity", capacity_.values());
+  archive.write("heat/from_walls", from_walls_);
+  archive.write("heat/taken_in", taken_in_);
+  archive.write("heat/initial", initial_);
+  archive.write("heat/started", static_cast<Index>(started_ ? 1 : 0));
+  exchange_->save(archive);
+}
+
+void PeridynamicHeat::load(const Archive& archive) {
+  archive.read("heat/temperature", temperature_.values());
+  archive.read("heat/capacity", capacity_.values());
+  archive.read("heat/from_walls", from_walls_);
+  archive.read("heat/taken_in", taken_in_);
+  initial_ = archive.read_number("heat/initial");
+  started_ = archive.read_index("heat/started") == 1;
+  exchange_->load(archive);
+}
+
+std::vector<std::pair<std::string, double>> PeridynamicHeat::diagnostics() const {
+  std::vector<std::pair<std::string, double>> numbers;
+  for (std::size_t k = 0; k < from_walls_.size(); ++k) {
+    if (walls_->walls()[k].settings.heat != WallHeat::adiabatic) {
+      numbers.emplace_back(message("heat flow from wall ", walls_->walls()[k].settings.name),
+                           from_walls_[k]);
+    }
+  }
+  numbers.emplace_back("imbalance of heat bonds", exchange_->imbalance());
+  return numbers;
+}
+
+}  // namespace lapilli

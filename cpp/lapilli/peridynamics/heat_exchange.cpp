@@ -1,0 +1,28 @@
+#include "lapilli/peridynamics/heat_exchange.hpp"
+
+#include "lapilli/peridynamics/conduction.hpp"
+
+namespace lapilli {
+namespace {
+
+template <int Dim>
+std::unique_ptr<HeatExchange> make(Points& points, const WallSurface& walls,
+                                   const PeridynamicHeatSettings& settings) {
+  return std::make_unique<Conduction<Dim>>(points, walls, settings);
+}
+
+}  // namespace
+
+std::unique_ptr<HeatExchange> make_heat_exchange(Points& points, const WallSurface& walls,
+                                                 const PeridynamicHeatSettings& settings) {
+  switch (points.dimension()) {
+    case 1:
+      return make<1>(points, walls, settings);
+    case 2:
+      return make<2>(points, walls, settings);
+    default:
+      return make<3>(points, walls, settings);
+  }
+}
+
+}  // namespace lapilli
