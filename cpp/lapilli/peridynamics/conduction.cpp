@@ -66,10 +66,7 @@ void Conduction<Dim>::update() {
   if (version_ == points_.version() && ordering_ == points_.ordering()) {
     return;
   }
-  families_.update();
-  gather_rows();
-  find_images();
-  weigh();
+  weigh_bonds();
   for (int sweep = 0; sweep < sweeps_at_rest && first_ && corrected_; ++sweep) {
     balance(sweep_damping);
   }
@@ -79,6 +76,23 @@ void Conduction<Dim>::update() {
   version_ = points_.version();
   ordering_ = points_.ordering();
   first_ = keep_correction_ = false;
+}
+
+template <int Dim>
+void Conduction<Dim>::refresh() {
+  if (first_ || version_ != points_.version() || ordering_ != points_.ordering()) {
+    weigh_bonds();
+    balance(0.0);
+    measure_walls();
+  }
+}
+
+template <int Dim>
+void Conduction<Dim>::weigh_bonds() {
+  families_.update();
+  gather_rows();
+  find_images();
+  weigh();
 }
 
 template <int Dim>

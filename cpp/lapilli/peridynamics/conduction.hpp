@@ -26,6 +26,7 @@ class Conduction final : public HeatExchange {
   Conduction(Points& points, const WallSurface& walls, const PeridynamicHeatSettings& settings);
 
   void update() override;
+  void refresh() override;
   void rates(const double* temperature, const std::vector<WallState>& surface, double* rate,
              std::vector<double>& from_walls) const override;
   double wall_flux(int wall, const Vec3& place, double reach, const double* temperature,
@@ -43,6 +44,7 @@ class Conduction final : public HeatExchange {
     double distance;  // of the fluid point from the surface, m
   };
 
+  void weigh_bonds();
   void gather_rows();
   void weigh();
   void find_images();

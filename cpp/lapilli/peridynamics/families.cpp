@@ -239,12 +239,15 @@ void Families::search() {
 void Families::save(Archive& archive, const std::string& name) const {
   archive.write(name + "/reference", reference_.values());
   archive.write(name + "/searches", searches_);
+  archive.write(name + "/ordered", static_cast<Index>(ordering_ == points_.ordering() ? 1 : 0));
 }
 
 void Families::load(const Archive& archive, const std::string& name) {
   archive.read(name + "/reference", reference_.values());
   search();
   searches_ = archive.read_index(name + "/searches");
+  // A list that a re-ordering had made stale stays stale.
+  ordering_ = archive.read_index(name + "/ordered") == 1 ? points_.ordering() : -1;
   version_ = -1;
 }
 

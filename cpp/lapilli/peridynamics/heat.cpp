@@ -143,18 +143,16 @@ double PeridynamicHeat::wall_flux(int wall, const Vec3& place, double reach) con
   return exchange_->wall_flux(wall, place, reach, temperature_.data(), surface_);
 }
 
-void PeridynamicHeat::refresh_output() {}
+void PeridynamicHeat::refresh_output() { exchange_->refresh(); }
 
 std::vector<Field> PeridynamicHeat::fields() {
   return {{"temperature", "K", 1, temperature_.values()}};
 }
 
 std::vector<Ledger> PeridynamicHeat::ledgers() const {
-  Ledger ledger;
-  ledger.quantity = "heat";
-  ledger.unit = "J";
-  ledger.stored = stored();
-  ledger.initial = started_ ? initial_ : ledger.stored;
+  const double now = stored();
+  const double before = started_ ? initial_ : now;
+  Ledger ledger{"heat", "J", before, now, {}, std::max(std::abs(before), std::abs(now))};
   for (std::size_t k = 0; k < from_walls_.size(); ++k) {
     ledger.entries.push_back({message("wall ", walls_->walls()[k].settings.name), taken_in_[k]});
   }
@@ -162,7 +160,6 @@ std::vector<Ledger> PeridynamicHeat::ledgers() const {
   if (dissipation_ != nullptr) {
     ledger.entries.push_back({"dissipation", taken_in_[from_walls_.size() + 1]});
   }
-  ledger.scale = std::max(std::abs(ledger.initial), std::abs(ledger.stored));
   return {ledger};
 }
 

@@ -1,0 +1,662 @@
+#include "lapilli/peridynamics/peridynamic_flow.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "lapilli/core/parallel.hpp"
+#include "lapilli/core/require.hpp"
+#include "lapilli/peridynamics/heat.hpp"
+
+namespace lapilli {
+namespace {
+
+constexpr Index piece = 256;            // points handed to a thread at once
+constexpr double largest_shift = 0.05;  // spacings a step
+constexpr int sort_every = 8;           // searches
+
+template <class Body>
+void over_pieces(Index rows, const Body& body) {
+  parallel_tasks((rows + piece - 1) / piece, [&](Index task) {
+    body(task, task * piece, std::min(rows, (task + 1) * piece));
+  });
+}
+
+std::vector<FamilyRole> roles_of(const WallSurface& walls) {
+  std::vector<FamilyRole> roles;
+  for (Index body = 0; body < walls.bodies(); ++body) {
+    roles.push_back({Member::owner, walls.wall_of_body(body) >= 0});
+  }
+  return roles;
+}
+
+template <int Dim>
+Vec<Dim> vector_of(const std::array<double, 3>& values) {
+  return Eigen::Map<const Vec<3>>(values.data()).template head<Dim>();
+}
+
+}  // namespace
+
+template <int Dim>
+PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<const WallSurface> walls,
+                                      const PeridynamicFlowSettings& settings,
+                                      const PeridynamicHeat* heat, bool with_dissipation,
+                                      PrintedEquations printed)
+    : points_(points),
+      walls_(std::move(walls)),
+      settings_(settings),
+      heat_(heat),
+      printed_(printed),
+      weight_{settings.influence, settings.horizon * walls_->spacing(), walls_->spacing(), true},
+      lattice_constant_(2.0 / lattice_moment(Dim, weight_)),
+      gravity_(vector_of<Dim>(settings.gravity)),
+      two_field_(settings.laplacian == Laplacian::literal ||
+                 settings.laplacian == Laplacian::zero_energy),
+      velocity_(points, Dim),
+      acceleration_(points, Dim),
+      density_(points, 1, settings.density),
+      mass_(points, 1),
+      shift_(points, Dim),
+      families_(points, weight_.horizon, settings.skin * walls_->spacing(), roles_of(*walls_)),
+      least_density_(settings.density),
+      most_density_(settings.density) {
+  const auto rows = static_cast<std::size_t>(points.size());
+  rows_.assign(rows * row_size, 0.0);
+  stress_rows_.assign(rows * stress_size, 0.0);
+  force_.assign(rows, Vec<Dim>::Zero());
+  bond_sum_.assign(rows, Vec<Dim>::Zero());
+  gradient_.assign(two_field_ ? rows : 0, Mat<Dim>::Zero());
+  inverse_shape_.assign(two_field_ ? rows : 0, Mat<Dim>::Zero());
+  if (with_dissipation) {
+    dissipation_ = std::make_unique<PointArray>(points, 1);
+  }
+  for (Index i = 0; i < points.size(); ++i) {
+    mass_[i] = settings.density * points.volume()[i];
+    if (const int wall = walls_->wall(i); wall >= 0) {
+      const Vec<Dim> v = vector_of<Dim>(walls_->walls()[wall].settings.velocity);
+      std::copy(v.data(), v.data() + Dim, velocity_.data() + i * Dim);
+    }
+  }
+  const auto tasks = (rows + piece - 1) / piece;
+  piece_least_.assign(tasks, settings.density);
+  piece_most_.assign(tasks, settings.density);
+  piece_spacing_.assign(tasks, 1e100);
+  sound_speed_ = choose_sound_speed();
+}
+
+template <int Dim>
+double PeridynamicFlow<Dim>::choose_sound_speed() const {
+  if (settings_.sound_speed > 0.0) {
+    return settings_.sound_speed;
+  }
+  double wall_speed = 0.0;
+  for (const Wall& wall : walls_->walls()) {
+    wall_speed = std::max(wall_speed, vector_of<Dim>(wall.settings.velocity).norm());
+  }
+  const double g = gravity_.norm();
+  const Vec<Dim> along = g > 0.0 ? Vec<Dim>(gravity_ / g) : Vec<Dim>(Vec<Dim>::Unit(0));
+  double least = 1e300, most = -1e300;
+  for (Index i = 0; i < points_.size(); ++i) {
+    if (fluid(i)) {
+      const double height = along.dot(points_.position<Dim>(i));
+      least = std::min(least, height);
+      most = std::max(most, height);
+    }
+  }
+  const double length =
+      settings_.length > 0.0 ? settings_.length : most - least + walls_->spacing();
+  double range = settings_.temperature_range;
+  if (range == 0.0 && heat_ != nullptr) {
+    range = heat_->wall_range();
+  }
+  const double drive =
+      settings_.buoyancy == Buoyancy::full ? g : g * std::abs(settings_.expansion) * range;
+  const double speed =
+      std::max({settings_.sound_speed_factor * std::sqrt(drive * length), 10.0 * wall_speed,
+                10.0 * settings_.viscosity / settings_.density / length});
+  require(speed > 0.0,
+          "no sound speed follows from this scene (no buoyancy, no moving wall, no viscosity): give "
+          "sound_speed");
+  return speed;
+}
+
+template <int Dim>
+StepLimit PeridynamicFlow<Dim>::step_limit() const {
+  const double dx = walls_->spacing();
+  const double acoustic = dx / sound_speed_;
+  const double viscous =
+      settings_.viscosity > 0.0
+          ? dx * dx * settings_.density / (Dim * settings_.viscosity)
+          : std::numeric_limits<double>::infinity();
+  StepLimit limit;
+  limit.hard = std::min(acoustic, viscous);
+  limit.automatic = std::min(settings_.courant * acoustic, settings_.viscous_step * viscous);
+  limit.reason = message("explicit flow: dx / sound speed ", acoustic, " s, dx^2 / (dim nu) ",
+                         viscous, " s");
+  return limit;
+}
+
+template <int Dim>
+StepReport PeridynamicFlow<Dim>::advance(const Step& step) {
+  if (!started_) {
+    start();
+  }
+  kick_and_drift(step);
+  find_families();
+  gather_rows();
+  update_density(step.size);
+  check_density();
+  accelerate();
+  kick(0.5 * step.size);
+  return {step.size, 0, 0.0};
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::start() {
+  find_families();
+  gather_rows();
+  update_density(0.0);
+  accelerate();
+  started_ = true;
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::kick_and_drift(const Step& step) {
+  const double dt = step.size;
+  std::vector<double> fastest(piece_least_.size(), 0.0);
+  over_pieces(points_.size(), [&](Index task, Index begin, Index end) {
+    double most = 0.0;
+    for (Index i = begin; i < end; ++i) {
+      if (fluid(i)) {
+        double squared = 0.0;
+        for (int d = 0; d < Dim; ++d) {
+          squared += velocity_[i * Dim + d] * velocity_[i * Dim + d];
+        }
+        most = std::max(most, squared);
+      }
+    }
+    fastest[task] = most;
+  });
+  const double speed = std::sqrt(*std::max_element(fastest.begin(), fastest.end()));
+  // Eq. 38 with the sign that spreads points.
+  const double sign = printed_.towards_neighbours ? 1.0 : -1.0;
+  const double shifting = sign * settings_.shifting * speed * dt;
+  const double most = largest_shift * walls_->spacing();
+  const auto position = points_.position();
+  over_pieces(points_.size(), [&](Index, Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      double* x = position.data() + i * Dim;
+      double* v = velocity_.data() + i * Dim;
+      const double* a = acceleration_.data() + i * Dim;
+      if (fluid(i)) {
+        double away[Dim], squared = 0.0;
+        for (int d = 0; d < Dim; ++d) {
+          v[d] += 0.5 * dt * a[d];
+          away[d] = shifting * shift_[i * Dim + d];
+          squared += away[d] * away[d];
+        }
+        const double cut = squared > most * most ? most / std::sqrt(squared) : 1.0;
+        for (int d = 0; d < Dim; ++d) {
+          x[d] += dt * v[d] + cut * away[d];
+        }
+      } else if (walls_->walls()[walls_->wall(i)].settings.moves) {
+        for (int d = 0; d < Dim; ++d) {
+          x[d] += dt * v[d];
+        }
+      }
+    }
+  });
+  points_.moved();
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::find_families() {
+  if (families_.stale() && families_.searches() % sort_every == 0) {
+    points_.permute(cell_order(points_, weight_.horizon + settings_.skin * walls_->spacing()));
+  }
+  if (families_.update()) {
+    bond_weight_.resize(static_cast<std::size_t>(families_.bonds()));
+  }
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::gather_rows() {
+  const auto position = points_.position();
+  over_pieces(points_.size(), [&](Index, Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      double* row = rows_.data() + i * row_size;
+      for (int d = 0; d < Dim; ++d) {
+        row[d] = position[i * Dim + d];
+        row[4 + d] = velocity_[i * Dim + d];
+      }
+      row[3] = mass_[i] / density_[i];
+      row[7] = density_[i];
+    }
+  });
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::update_density(double step_size) {
+  over_pieces(points_.size(), [&](Index task, Index begin, Index end) {
+    double least = most_density_, most = 0.0, closest = 1e200;
+    for (Index i = begin; i < end; ++i) {
+      Sums sums = add_bonds(i, bond_weight_.data());
+      if (fluid(i)) {
+        see_walls(i, sums);
+        closest = std::min(closest, sums.least_squared);
+      }
+      update_point(i, sums, step_size);
+      if (fluid(i)) {
+        least = std::min(least, density_[i]);
+        most = std::max(most, density_[i]);
+      }
+    }
+    piece_least_[task] = least;
+    piece_most_[task] = most > 0.0 ? most : least;
+    piece_spacing_[task] = std::sqrt(closest);
+  });
+  if (two_field_) {
+    add_zero_energy();
+  }
+}
+
+template <int Dim>
+auto PeridynamicFlow<Dim>::add_bonds(Index point, double* weights) const -> Sums {
+  using lanes::Lanes;
+  using lanes::multiply_add;
+  using lanes::spread;
+  const lanes::BondWeightLanes weight(weight_);
+  const double* rows = rows_.data();
+  const std::int32_t* neighbours = families_.neighbours();
+  const double* own = rows + point * row_size;
+  const Lanes zero = spread(0.0), one = spread(1.0);
+  const Lanes within = spread(weight_.horizon * weight_.horizon);
+  const Lanes tiny = spread(1e-20 * weight_.horizon * weight_.horizon);
+  Lanes shape[Dim][Dim], gradient[Dim][Dim], bond[Dim], velocity[Dim], crowding[Dim];
+  for (int a = 0; a < Dim; ++a) {
+    bond[a] = velocity[a] = crowding[a] = zero;
+    for (int b = 0; b < Dim; ++b) {
+      shape[a][b] = gradient[a][b] = zero;
+    }
+  }
+  Lanes density = zero, length = zero, count = zero, closest = spread(1e200);
+  for (Index k = families_.begin(point); k < families_.padded_end(point); k += lanes::width) {
+    const double* r0 = rows + neighbours[k] * row_size;
+    const double* r1 = rows + neighbours[k + 1] * row_size;
+    const double* r2 = rows + neighbours[k + 2] * row_size;
+    const double* r3 = rows + neighbours[k + 3] * row_size;
+    Lanes x[4] = {lanes::load(r0), lanes::load(r1), lanes::load(r2), lanes::load(r3)};
+    Lanes u[4] = {lanes::load(r0 + 4), lanes::load(r1 + 4), lanes::load(r2 + 4),
+                  lanes::load(r3 + 4)};
+    lanes::transpose(x[0], x[1], x[2], x[3]);
+    lanes::transpose(u[0], u[1], u[2], u[3]);
+    Lanes squared = zero;
+    for (int d = 0; d < Dim; ++d) {
+      x[d] -= spread(own[d]);
+      u[d] -= spread(own[4 + d]);
+      squared = multiply_add(x[d], x[d], squared);
+    }
+    const Lanes r = lanes::square_root(squared);
+    const Lanes w = weight(squared, r) * x[3];
+    lanes::store(weights + k, w);
+    density = multiply_add(w, u[3] - spread(own[7]), density);
+    const lanes::LaneMask counts = (squared < within) & (squared > tiny);
+    const Lanes inverse = lanes::choose(counts, one / squared, zero);
+    const Lanes present = lanes::choose(counts, one, zero);
+    const Lanes push = inverse * inverse * r;
+    count += present;
+    length = multiply_add(present, r, length);
+    const Lanes candidate = lanes::choose(squared > tiny, squared, spread(1e200));
+    closest = lanes::choose(candidate < closest, candidate, closest);
+    for (int a = 0; a < Dim; ++a) {
+      const Lanes wa = w * x[a];
+      bond[a] += wa;
+      velocity[a] = multiply_add(w, u[a], velocity[a]);
+      crowding[a] = multiply_add(push, x[a], crowding[a]);
+      for (int b = 0; b < Dim; ++b) {
+        if (b >= a) {
+          shape[a][b] = multiply_add(wa, x[b], shape[a][b]);
+        }
+        gradient[b][a] = multiply_add(wa, u[b], gradient[b][a]);
+      }
+    }
+  }
+  Sums sums;
+  for (int a = 0; a < Dim; ++a) {
+    sums.bond[a] = lanes::sum(bond[a]);
+    sums.velocity[a] = lanes::sum(velocity[a]);
+    sums.crowding[a] = lanes::sum(crowding[a]);
+    for (int b = 0; b < Dim; ++b) {
+      sums.shape(a, b) = lanes::sum(b >= a ? shape[a][b] : shape[b][a]);
+      sums.gradient(a, b) = lanes::sum(gradient[a][b]);
+    }
+  }
+  sums.density = lanes::sum(density);
+  sums.length = lanes::sum(length);
+  sums.count = lanes::sum(count);
+  sums.least_squared =
+      std::min(std::min(closest[0], closest[1]), std::min(closest[2], closest[3]));
+  return sums;
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::see_walls(Index point, Sums& sums) const {
+  const double* own = rows_.data() + point * row_size;
+  const double least = 0.25 * walls_->spacing();
+  for (Index k = families_.wall_begin(point); k < families_.end(point); ++k) {
+    const double w = bond_weight_[k];
+    if (w == 0.0) {
+      continue;
+    }
+    const Index j = families_.neighbour(k);
+    const double* other = rows_.data() + j * row_size;
+    const double ahead = std::max(least, walls_->template distance<Dim>(own, j));
+    const double ratio = walls_->depth(j) / ahead;
+    Vec<Dim> bond, relative;
+    for (int d = 0; d < Dim; ++d) {
+      bond[d] = other[d] - own[d];
+      relative[d] = other[4 + d] - own[4 + d];
+    }
+    Vec<Dim> more = ratio * relative;
+    if (walls_->walls()[walls_->wall(j)].settings.slip == Slip::free_slip) {
+      const Eigen::Map<const Vec<Dim>> n(walls_->normal(j));
+      more = (1.0 + ratio) * n.dot(relative) * n - relative;
+    }
+    sums.velocity += w * more;
+    if (std::getenv("WG")) sums.gradient += std::atof(std::getenv("WG")) * w * more * bond.transpose();
+  }
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::update_point(Index point, const Sums& sums, double step_size) {
+  const Mat<Dim> inverse = sums.shape.inverse();
+  const Mat<Dim> gradient = sums.gradient * inverse;
+  const double old = density_[point];
+  const double trace = sums.shape.trace();
+  // Eq. 26, and the diffusion that smooths sound.
+  const double diffusion = settings_.density_diffusion * sound_speed_ * walls_->spacing() * 2.0 *
+                           Dim / trace * sums.density;
+  density_[point] = old + step_size * (diffusion - old * gradient.trace());
+  const double p = pressure(printed_.old_stress ? old : density_[point]);
+
+  Mat<Dim> stress = -p * inverse;
+  if (two_field_) {
+    stress += settings_.viscosity * (gradient + gradient.transpose()) * inverse;
+    gradient_[point] = gradient;
+    inverse_shape_[point] = inverse;
+    force_[point].setZero();
+  } else if (settings_.laplacian == Laplacian::compact) {
+    force_[point] = settings_.viscosity * lattice_constant_ * sums.velocity;
+  } else {
+    force_[point] = settings_.viscosity * 2.0 * Dim / trace * (sums.velocity - gradient * sums.bond);
+  }
+  bond_sum_[point] = sums.bond;
+
+  double* row = stress_rows_.data() + point * stress_size;
+  const double* x = rows_.data() + point * row_size;
+  if constexpr (Dim == 3) {
+    for (int d = 0; d < 3; ++d) {
+      Eigen::Map<Vec<3>>(row + 4 * d) = stress.col(d);
+      row[12 + d] = x[d];
+    }
+  } else {
+    for (int d = 0; d < Dim; ++d) {
+      row[2 * d] = stress(0, d);
+      row[2 * d + 1] = Dim == 2 ? stress(Dim - 1, d) : 0.0;
+      row[4 + 2 * d] = row[5 + 2 * d] = x[d];
+    }
+  }
+  if (fluid(point)) {
+    const double mean = sums.count > 0.0 ? sums.length / sums.count : 0.0;
+    for (int d = 0; d < Dim; ++d) {
+      shift_[point * Dim + d] = mean * mean * sums.crowding[d];
+    }
+    if (dissipation_) {
+      const Mat<Dim> rate = 0.5 * (gradient + gradient.transpose());
+      (*dissipation_)[point] = 2.0 * settings_.viscosity * rate.squaredNorm();
+    }
+  }
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::add_zero_energy() {
+  if (settings_.laplacian != Laplacian::zero_energy) {
+    return;
+  }
+  // What the mean gradient does not explain of a velocity difference, per bond.
+  over_pieces(points_.size(), [&](Index, Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      if (!fluid(i)) {
+        continue;
+      }
+      const double* own = rows_.data() + i * row_size;
+      Vec<Dim> sum = Vec<Dim>::Zero();
+      for (Index k = families_.begin(i); k < families_.end(i); ++k) {
+        const Index j = families_.neighbour(k);
+        const double* other = rows_.data() + j * row_size;
+        Vec<Dim> bond, relative;
+        for (int d = 0; d < Dim; ++d) {
+          bond[d] = other[d] - own[d];
+          relative[d] = other[4 + d] - own[4 + d];
+        }
+        const double scale =
+            0.5 * bond_weight_[k] * (inverse_shape_[i].trace() + inverse_shape_[j].trace());
+        sum += scale * (relative - 0.5 * (gradient_[i] + gradient_[j]) * bond);
+      }
+      force_[i] += settings_.zero_energy * settings_.viscosity * sum;
+    }
+  });
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::accelerate() {
+  using lanes::Lanes;
+  using lanes::multiply_add;
+  const double* stress = stress_rows_.data();
+  const std::int32_t* neighbours = families_.neighbours();
+  const double* weights = bond_weight_.data();
+  over_pieces(points_.size(), [&](Index, Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      if (!fluid(i)) {
+        continue;
+      }
+      // Eq. 27: sum of w (S_i + S_j) Y V with S = stress times inverse shape.
+      const double* own = stress + i * stress_size;
+      Vec<Dim> force = force_[i];
+      if constexpr (Dim == 3) {
+        const Lanes x = lanes::load(own + 12);
+        Lanes sum = lanes::spread(0.0);
+        for (Index k = families_.begin(i); k < families_.end(i); ++k) {
+          const double* other = stress + neighbours[k] * stress_size;
+          const Lanes bond = (lanes::load(other + 12) - x) * lanes::spread(weights[k]);
+          for (int d = 0; d < 3; ++d) {
+            sum = multiply_add(lanes::load(other + 4 * d), lanes::spread(bond[d]), sum);
+          }
+        }
+        for (int d = 0; d < 3; ++d) {
+          force[d] += sum[d];
+          force += bond_sum_[i][d] * Eigen::Map<const Vec<3>>(own + 4 * d);
+        }
+      } else {
+        const Lanes x = lanes::load(own + 4);
+        Lanes even = lanes::spread(0.0), odd = even;
+        for (Index k = families_.begin(i); k < families_.padded_end(i); k += 2) {
+          const double* first = stress + neighbours[k] * stress_size;
+          const double* second = stress + neighbours[k + 1] * stress_size;
+          even = multiply_add(lanes::load(first),
+                              (lanes::load(first + 4) - x) * lanes::spread(weights[k]), even);
+          odd = multiply_add(lanes::load(second),
+                             (lanes::load(second + 4) - x) * lanes::spread(weights[k + 1]), odd);
+        }
+        even += odd;
+        for (int d = 0; d < Dim; ++d) {
+          force[d] += even[d] + even[2 + d];
+          for (int e = 0; e < Dim; ++e) {
+            force[e] += bond_sum_[i][d] * own[2 * d + e];
+          }
+        }
+      }
+      const Vec<Dim> a = force / density_[i] + body_force(i);
+      std::copy(a.data(), a.data() + Dim, acceleration_.data() + i * Dim);
+    }
+  });
+}
+
+template <int Dim>
+Vec<Dim> PeridynamicFlow<Dim>::body_force(Index point) const {
+  const double warmer =
+      heat_ != nullptr ? heat_->temperature()[point] - settings_.reference_temperature : 0.0;
+  if (settings_.buoyancy == Buoyancy::reduced) {
+    return -settings_.expansion * warmer * gravity_;
+  }
+  return (1.0 - settings_.expansion * warmer) * gravity_;
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::kick(double step_size) {
+  over_pieces(points_.size(), [&](Index, Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      if (fluid(i)) {
+        for (int d = 0; d < Dim; ++d) {
+          velocity_[i * Dim + d] += step_size * acceleration_[i * Dim + d];
+        }
+      }
+      points_.volume()[i] = mass_[i] / density_[i];
+    }
+  });
+}
+
+template <int Dim>
+double PeridynamicFlow<Dim>::pressure(double density) const {
+  const double n = settings_.stiffness_exponent;
+  const double ratio = density / settings_.density;
+  const double scale = settings_.density * sound_speed_ * sound_speed_ / n;
+  if (n == 7.0) {
+    const double squared = ratio * ratio;
+    return scale * (squared * squared * squared * ratio - 1.0);
+  }
+  return scale * (std::pow(ratio, n) - 1.0);
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::check_density() {
+  for (std::size_t task = 0; task < piece_least_.size(); ++task) {
+    least_density_ = std::min(least_density_, piece_least_[task]);
+    most_density_ = std::max(most_density_, piece_most_[task]);
+    smallest_spacing_ = std::min(smallest_spacing_, piece_spacing_[task]);
+  }
+  const double allowed = settings_.largest_density_variation;
+  const auto [low, high] = density_variation();
+  if (low >= -allowed && high <= allowed) {
+    return;
+  }
+  for (Index i = 0; i < points_.size(); ++i) {
+    const double variation = density_[i] / settings_.density - 1.0;
+    if (fluid(i) && !(std::abs(variation) <= allowed)) {
+      throw RunError(message("density of point ", points_.id()[i], " is ", 100.0 * variation,
+                             " % off its reference, more than the allowed ", 100.0 * allowed,
+                             " %: the flow outruns its sound speed of ", sound_speed_,
+                             " m/s; raise sound_speed_factor, or the step is too long"));
+    }
+  }
+}
+
+template <int Dim>
+double PeridynamicFlow<Dim>::velocity_noise() const {
+  double noise = 0.0, total = 0.0;
+  for (Index i = 0; i < points_.size(); ++i) {
+    if (!fluid(i)) {
+      continue;
+    }
+    Vec<Dim> mean = Vec<Dim>::Zero();
+    double weight = 0.0;
+    const Eigen::Map<const Vec<Dim>> own(velocity_.data() + i * Dim);
+    for (Index k = families_.begin(i); k < families_.end(i); ++k) {
+      const Index j = families_.neighbour(k);
+      mean += bond_weight_[k] * Eigen::Map<const Vec<Dim>>(velocity_.data() + j * Dim);
+      weight += bond_weight_[k];
+    }
+    if (weight > 0.0) {
+      noise += (own - mean / weight).squaredNorm();
+      total += own.squaredNorm();
+    }
+  }
+  return total > 0.0 ? std::sqrt(noise / total) : 0.0;
+}
+
+template <int Dim>
+std::vector<Field> PeridynamicFlow<Dim>::fields() {
+  return {{"velocity", "m/s", Dim, velocity_.values()},
+          {"density", "kg/m^3", 1, density_.values()}};
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, double>> PeridynamicFlow<Dim>::diagnostics() const {
+  const auto [low, high] = density_variation();
+  return {{"velocity noise", velocity_noise()},
+          {"least density variation", low},
+          {"greatest density variation", high},
+          {"smallest spacing", smallest_spacing()},
+          {"sound speed", sound_speed_},
+          {"family searches", static_cast<double>(searches())}};
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::save(Archive& archive) const {
+  archive.write("flow/velocity", velocity_.values());
+  archive.write("flow/acceleration", acceleration_.values());
+  archive.write("flow/density", density_.values());
+  archive.write("flow/mass", mass_.values());
+  archive.write("flow/shift", shift_.values());
+  const double numbers[] = {least_density_, most_density_, smallest_spacing_, sound_speed_,
+                            started_ ? 1.0 : 0.0};
+  archive.write("flow/numbers", numbers);
+  if (dissipation_) {
+    archive.write("flow/dissipation", dissipation_->values());
+  }
+  families_.save(archive, "flow/families");
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::load(const Archive& archive) {
+  archive.read("flow/velocity", velocity_.values());
+  archive.read("flow/acceleration", acceleration_.values());
+  archive.read("flow/density", density_.values());
+  archive.read("flow/mass", mass_.values());
+  archive.read("flow/shift", shift_.values());
+  double numbers[5];
+  archive.read("flow/numbers", numbers);
+  least_density_ = numbers[0];
+  most_density_ = numbers[1];
+  smallest_spacing_ = numbers[2];
+  sound_speed_ = numbers[3];
+  started_ = numbers[4] == 1.0;
+  if (dissipation_) {
+    archive.read("flow/dissipation", dissipation_->values());
+  }
+  families_.load(archive, "flow/families");
+  bond_weight_.resize(static_cast<std::size_t>(families_.bonds()));
+}
+
+template class PeridynamicFlow<1>;
+template class PeridynamicFlow<2>;
+template class PeridynamicFlow<3>;
+
+std::unique_ptr<Flow> make_flow(Points& points, std::shared_ptr<const WallSurface> walls,
+                                const PeridynamicFlowSettings& settings, const PeridynamicHeat* heat,
+                                bool with_dissipation, PrintedEquations printed) {
+  switch (points.dimension()) {
+    case 1:
+      return std::make_unique<PeridynamicFlow<1>>(points, std::move(walls), settings, heat,
+                                                  with_dissipation, printed);
+    case 2:
+      return std::make_unique<PeridynamicFlow<2>>(points, std::move(walls), settings, heat,
+                                                  with_dissipation, printed);
+    default:
+      return std::make_unique<PeridynamicFlow<3>>(points, std::move(walls), settings, heat,
+                                                  with_dissipation, printed);
+  }
+}
+
+}  // namespace lapilli
