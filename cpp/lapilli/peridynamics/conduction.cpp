@@ -51,14 +51,14 @@ Conduction<Dim>::Conduction(Points& points, const WallSurface& walls,
       lattice_constant_(2.0 / lattice_moment(Dim, weight_)),
       corrected_(settings.laplacian == Laplacian::corrected),
       families_(points, weight_.horizon, settings.skin * walls.spacing(), roles_of(walls)),
-      correction_(points, Dim) {
+      correction_(points, Dim),
+      normaliser_(points, 1, lattice_constant_) {
   const auto rows = static_cast<std::size_t>(points.size());
   rows_.assign(rows * row_size, 0.0);
-  normaliser_.assign(rows, lattice_constant_);
   insulation_.assign(rows, far);
   insulation_normal_.assign(rows, nullptr);
   bond_area_.assign(walls.walls().size(), 0.0);
-  point_area_.assign(walls.walls().size(), 0.0);
+  wall_area_.assign(walls.walls().size(), 0.0);
 }
 
 template <int Dim>
@@ -109,6 +109,7 @@ void Conduction<Dim>::gather_rows() {
     const bool adiabatic =
         wall >= 0 && walls_.walls()[wall].settings.heat == WallHeat::adiabatic;
     row[3] = adiabatic ? 0.0 : volume[i];
+    row[7] = normaliser_[i];
   });
 }
 
@@ -182,8 +183,14 @@ void Conduction<Dim>::weigh() {
         total += image_weight_[k] * squared;
       }
     }
-    normaliser_[i] = total > 0.0 ? 2.0 * Dim / total : lattice_constant_;
+    if (first_ && total > 0.0) {
+      normaliser_[i] = 2.0 * Dim / total;
+    }
   });
+  if (first_) {
+    over_points(points_.size(),
+                [&](Index i) { rows_[i * row_size + 7] = normaliser_[i]; });
+  }
 }
 
 template <int Dim>
@@ -198,10 +205,10 @@ void Conduction<Dim>::balance(double damping) {
     const double* own = rows_.data() + i * row_size;
     const Lanes x = spread(own[0]), y = spread(own[1]), z = spread(own[2]);
     const Lanes lx = spread(own[4]), ly = spread(own[5]), lz = spread(own[6]);
-    const Lanes c_own = spread(normaliser_[i]);
+    const Lanes c_own = spread(own[7]);
     const Lanes scale = spread(half_conductivity * own[3]);
     const Lanes bound = spread(0.8);
-    Lanes out_x = spread(0.0), out_y = out_x, out_z = out_x;
+    Lanes out_x = spread(0.0), out_y = out_x, out_z = out_x, moment = out_x;
     for (Index k = families_.begin(i); k < families_.padded_end(i); k += lanes::width) {
       const std::int32_t* j = neighbours + k;
       Lanes a = lanes::load(rows_.data() + j[0] * row_size), al = lanes::load(rows_.data() + j[0] * row_size + 4);
@@ -213,38 +220,27 @@ void Conduction<Dim>::balance(double damping) {
       a -= x;
       b -= y;
       c -= z;
-      const Lanes c_other{normaliser_[j[0]], normaliser_[j[1]], normaliser_[j[2]],
-                          normaliser_[j[3]]};
       Lanes tilt = (lx - al) * a + (ly - bl) * b + (lz - cl) * c;
       tilt = lanes::choose(tilt > bound, bound, lanes::choose(tilt < -bound, -bound, tilt));
-      const Lanes s = lanes::load(bond_weight_.data() + k) * (c_own + c_other) * (spread(1.0) + tilt);
+      const Lanes w = lanes::load(bond_weight_.data() + k) * (spread(1.0) + tilt);
+      moment = multiply_add(w, a * a + b * b + c * c, moment);
+      const Lanes s = w * (c_own + vl);
       store(conductance_.data() + k, s * scale);
       out_x = multiply_add(s, a, out_x);
       out_y = multiply_add(s, b, out_y);
       out_z = multiply_add(s, c, out_z);
     }
     double out[3] = {lanes::sum(out_x), lanes::sum(out_y), lanes::sum(out_z)};
+    double total = lanes::sum(moment);
     if (corrected_ && insulation_[i] < far) {
-      const double* n = insulation_normal_[i];
-      const double self = 2.0 * normaliser_[i] * own[3] * weight_(2.0 * insulation_[i]);
-      for (int d = 0; d < Dim; ++d) {
-        out[d] -= self * 2.0 * insulation_[i] * n[d];
-      }
-      for (Index k = families_.begin(i); k < families_.wall_begin(i); ++k) {
-        const Index j = neighbours[k];
-        const double s = image_weight_[k] * (normaliser_[i] + normaliser_[j]);
-        if (s == 0.0) {
-          continue;
-        }
-        conductance_[k] += s * half_conductivity * own[3];
-        for (int d = 0; d < Dim; ++d) {
-          out[d] += s * (rows_[j * row_size + d] - own[d] - 2.0 * insulation_[j] * n[d]);
-        }
-      }
+      total += add_images(i, out);
     }
     // The sweep divides by the diagonal block, sum of s Y Y = 4 on a full lattice.
     for (int d = 0; d < Dim; ++d) {
       correction_[i * Dim + d] = own[4 + d] - damping * 0.25 * out[d];
+    }
+    if (damping > 0.0 && total > 0.0) {
+      normaliser_[i] = 2.0 * Dim / total;
     }
   });
   if (damping > 0.0) {
@@ -252,8 +248,37 @@ void Conduction<Dim>::balance(double damping) {
       for (int d = 0; d < Dim; ++d) {
         rows_[i * row_size + 4 + d] = correction_[i * Dim + d];
       }
+      rows_[i * row_size + 7] = normaliser_[i];
     });
   }
+}
+
+template <int Dim>
+double Conduction<Dim>::add_images(Index i, double* out) {
+  const double* own = rows_.data() + i * row_size;
+  const double* n = insulation_normal_[i];
+  const double own_image = 2.0 * insulation_[i];
+  const double w_own = own[3] * weight_(own_image);
+  double moment = w_own * own_image * own_image;
+  for (int d = 0; d < Dim; ++d) {
+    out[d] -= 2.0 * own[7] * w_own * own_image * n[d];
+  }
+  for (Index k = families_.begin(i); k < families_.wall_begin(i); ++k) {
+    const Index j = families_.neighbour(k);
+    const double* other = rows_.data() + j * row_size;
+    const double s = image_weight_[k] * (own[7] + other[7]);
+    if (s == 0.0) {
+      continue;
+    }
+    conductance_[k] += 0.5 * settings_.conductivity * s * own[3];
+    double squared = 4.0 * insulation_[i] * insulation_[j];
+    for (int d = 0; d < Dim; ++d) {
+      squared += (other[d] - own[d]) * (other[d] - own[d]);
+      out[d] += s * (other[d] - own[d] - 2.0 * insulation_[j] * n[d]);
+    }
+    moment += image_weight_[k] * squared;
+  }
+  return moment;
 }
 
 template <int Dim>
@@ -275,20 +300,13 @@ void Conduction<Dim>::for_wall_bonds(Index point, const Body& body) const {
 template <int Dim>
 void Conduction<Dim>::measure_walls() {
   std::fill(bond_area_.begin(), bond_area_.end(), 0.0);
-  std::fill(point_area_.begin(), point_area_.end(), 0.0);
-  std::vector<char> met(static_cast<std::size_t>(points_.size()), 0);
   for (Index i = 0; i < points_.size(); ++i) {
     if (families_.owns(i) && families_.wall_begin(i) < families_.end(i)) {
-      for_wall_bonds(i, [&](const WallBond& bond) {
-        bond_area_[bond.wall] += bond.area;
-        met[bond.wall_point] = 1;
-      });
+      for_wall_bonds(i, [&](const WallBond& bond) { bond_area_[bond.wall] += bond.area; });
     }
   }
-  for (Index j = 0; j < points_.size(); ++j) {
-    if (met[j] != 0 && walls_.depth(j) < 0.99 * walls_.spacing()) {
-      point_area_[walls_.wall(j)] += points_.volume()[j] / walls_.spacing();
-    }
+  if (first_) {
+    wall_area_ = bond_area_;
   }
 }
 
@@ -324,7 +342,7 @@ void Conduction<Dim>::rates(const double* temperature, const std::vector<WallSta
   for (Index k = 0; k < walls; ++k) {
     const WallHeat kind = walls_.walls()[k].settings.heat;
     if ((kind == WallHeat::flux || kind == WallHeat::convection) && bond_area_[k] > 0.0) {
-      share[k] = point_area_[k] / bond_area_[k];
+      share[k] = wall_area_[k] / bond_area_[k];
     }
   }
   parallel_tasks(tasks, [&](Index task) {
@@ -410,6 +428,8 @@ template <int Dim>
 void Conduction<Dim>::save(Archive& archive) const {
   families_.save(archive, "heat/families");
   archive.write("heat/correction", correction_.values());
+  archive.write("heat/wall_area", wall_area_);
+  archive.write("heat/normaliser", normaliser_.values());
   archive.write("heat/weighed", static_cast<Index>(first_ ? 0 : 1));
   archive.write("heat/at_rest", static_cast<Index>(version_ == points_.version() ? 1 : 0));
 }
@@ -418,6 +438,8 @@ template <int Dim>
 void Conduction<Dim>::load(const Archive& archive) {
   families_.load(archive, "heat/families");
   archive.read("heat/correction", correction_.values());
+  archive.read("heat/wall_area", wall_area_);
+  archive.read("heat/normaliser", normaliser_.values());
   first_ = archive.read_index("heat/weighed") == 0;
   // Points at rest keep the conductances of their one search.
   keep_correction_ = archive.read_index("heat/at_rest") == 1;

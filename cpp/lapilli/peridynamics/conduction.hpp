@@ -31,7 +31,7 @@ class Conduction final : public HeatExchange {
              std::vector<double>& from_walls) const override;
   double wall_flux(int wall, const Vec3& place, double reach, const double* temperature,
                    const std::vector<WallState>& surface) const override;
-  double wall_area(int wall) const override { return point_area_[wall]; }
+  double wall_area(int wall) const override { return wall_area_[wall]; }
   double imbalance() const override;
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
@@ -49,6 +49,7 @@ class Conduction final : public HeatExchange {
   void weigh();
   void find_images();
   void balance(double damping);
+  double add_images(Index point, double* out);
   void measure_walls();
   template <class Body>
   void for_wall_bonds(Index point, const Body& body) const;
@@ -62,12 +63,12 @@ class Conduction final : public HeatExchange {
   bool corrected_;
   Families families_;
   PointArray correction_;                  // l, 1/m
-  std::vector<double> rows_;               // a point: x y z V | l, 0
-  std::vector<double> normaliser_;         // c, 1/m^(Dim+2)
+  PointArray normaliser_;                  // c, 1/m^(Dim+2)
+  std::vector<double> rows_;               // a point: x y z V | l c
   std::vector<double> insulation_;         // distance from the nearest adiabatic wall, m
   std::vector<const double*> insulation_normal_;
   std::vector<double> bond_weight_, image_weight_, conductance_;
-  std::vector<double> bond_area_, point_area_;
+  std::vector<double> bond_area_, wall_area_;  // as bonds see it now, and at the start
   Index version_ = -1, ordering_ = -1;
   bool first_ = true, keep_correction_ = false;
 };

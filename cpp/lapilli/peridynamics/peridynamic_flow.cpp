@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
@@ -364,7 +363,6 @@ void PeridynamicFlow<Dim>::see_walls(Index point, Sums& sums) const {
       more = (1.0 + ratio) * n.dot(relative) * n - relative;
     }
     sums.velocity += w * more;
-    if (std::getenv("WG")) sums.gradient += std::atof(std::getenv("WG")) * w * more * bond.transpose();
   }
 }
 

@@ -73,3 +73,20 @@ TEST_CASE("explore conduction", "[.explore]") {
     }
   }
 }
+
+TEST_CASE("explore effective conductivity", "[.explore-steady]") {
+  for (double jitter : {0.0, 0.1, 0.2, 0.3}) {
+    for (Laplacian laplacian : {Laplacian::compact, Laplacian::corrected}) {
+      cavity::Layout layout;
+      layout.columns = layout.rows = 20;
+      layout.jitter = jitter;
+      PeridynamicHeatSettings settings;
+      settings.laplacian = laplacian;
+      Case test(layout, settings);
+      test.simulation->run_until(1.0);
+      std::printf("jitter %g %s: flux %.4f %.4f error %.3f%% imbalance %.1e\n", jitter, name_of(laplacian),
+                  test.heat->wall_power(0), test.heat->wall_power(1), 100 * test.error(),
+                  test.heat->exchange().imbalance());
+    }
+  }
+}
