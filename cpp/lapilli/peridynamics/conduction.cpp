@@ -15,9 +15,9 @@ using lanes::multiply_add;
 using lanes::spread;
 using lanes::store;
 
-constexpr Index piece = 256;    // points handed to a thread at once
-constexpr Index row_size = 8;   // doubles
-constexpr double far = 1e100;   // no adiabatic wall near
+constexpr Index piece = 256;   // points handed to a thread at once
+constexpr Index row_size = 8;  // doubles
+constexpr double far = 1e100;  // no adiabatic wall near
 constexpr int sweeps_at_rest = 200;
 constexpr double sweep_damping = 0.7;
 
@@ -106,8 +106,7 @@ void Conduction<Dim>::gather_rows() {
       row[4 + d] = correction_[i * Dim + d];
     }
     const int wall = walls_.wall(i);
-    const bool adiabatic =
-        wall >= 0 && walls_.walls()[wall].settings.heat == WallHeat::adiabatic;
+    const bool adiabatic = wall >= 0 && walls_.walls()[wall].settings.heat == WallHeat::adiabatic;
     row[3] = adiabatic ? 0.0 : volume[i];
     row[7] = normaliser_[i];
   });
@@ -188,8 +187,7 @@ void Conduction<Dim>::weigh() {
     }
   });
   if (first_) {
-    over_points(points_.size(),
-                [&](Index i) { rows_[i * row_size + 7] = normaliser_[i]; });
+    over_points(points_.size(), [&](Index i) { rows_[i * row_size + 7] = normaliser_[i]; });
   }
 }
 
@@ -211,10 +209,14 @@ void Conduction<Dim>::balance(double damping) {
     Lanes out_x = spread(0.0), out_y = out_x, out_z = out_x, moment = out_x;
     for (Index k = families_.begin(i); k < families_.padded_end(i); k += lanes::width) {
       const std::int32_t* j = neighbours + k;
-      Lanes a = lanes::load(rows_.data() + j[0] * row_size), al = lanes::load(rows_.data() + j[0] * row_size + 4);
-      Lanes b = lanes::load(rows_.data() + j[1] * row_size), bl = lanes::load(rows_.data() + j[1] * row_size + 4);
-      Lanes c = lanes::load(rows_.data() + j[2] * row_size), cl = lanes::load(rows_.data() + j[2] * row_size + 4);
-      Lanes v = lanes::load(rows_.data() + j[3] * row_size), vl = lanes::load(rows_.data() + j[3] * row_size + 4);
+      Lanes a = lanes::load(rows_.data() + j[0] * row_size),
+            al = lanes::load(rows_.data() + j[0] * row_size + 4);
+      Lanes b = lanes::load(rows_.data() + j[1] * row_size),
+            bl = lanes::load(rows_.data() + j[1] * row_size + 4);
+      Lanes c = lanes::load(rows_.data() + j[2] * row_size),
+            cl = lanes::load(rows_.data() + j[2] * row_size + 4);
+      Lanes v = lanes::load(rows_.data() + j[3] * row_size),
+            vl = lanes::load(rows_.data() + j[3] * row_size + 4);
       lanes::transpose(a, b, c, v);
       lanes::transpose(al, bl, cl, vl);
       a -= x;
@@ -320,10 +322,10 @@ double Conduction<Dim>::flux_through(const WallBond& bond, const WallState& stat
     case WallHeat::flux:
       return state.flux;
     case WallHeat::convection:
-      return wall.coefficient > 0.0 ? (state.temperature - temperature) /
-                                          (bond.distance / settings_.conductivity +
-                                           1.0 / wall.coefficient)
-                                    : 0.0;
+      return wall.coefficient > 0.0
+                 ? (state.temperature - temperature) /
+                       (bond.distance / settings_.conductivity + 1.0 / wall.coefficient)
+                 : 0.0;
     case WallHeat::adiabatic:
       break;
   }
@@ -385,7 +387,8 @@ double Conduction<Dim>::imbalance() const {
     Vec<Dim> out = Vec<Dim>::Zero();
     double scale = 0.0;
     for (Index k = families_.begin(i); k < families_.end(i); ++k) {
-      const Vec<Dim> bond = points_.position<Dim>(families_.neighbour(k)) - points_.position<Dim>(i);
+      const Vec<Dim> bond =
+          points_.position<Dim>(families_.neighbour(k)) - points_.position<Dim>(i);
       out += conductance_[k] * bond;
       scale += conductance_[k] * bond.norm();
     }

@@ -10,10 +10,11 @@ namespace lapilli {
 /// Heat exchange along bonds: rate into i = sum over its bonds of G_ij (T_j - T_i), W.
 ///
 /// G_ij = k V_i V_j w_ij (c_i + c_j)/2 (1 + (l_i - l_j) . Y_ij) is the same seen from both ends, so
-/// heat is conserved to rounding. The vectors l are chosen so that the bonds of a point balance, sum
-/// of G_ij Y_ij = 0: then fields linear in space give no rate, on irregular points too. They come
-/// from damped Jacobi sweeps, many for points at rest, one a step for moving ones, started from the
-/// last. c_i is 2 dimension / (sum of w r^2 V). `compact` leaves l = 0 and takes c of a full lattice.
+/// heat is conserved to rounding. The vectors l are chosen so that the bonds of a point balance,
+/// sum of G_ij Y_ij = 0: then fields linear in space give no rate, on irregular points too. They
+/// come from damped Jacobi sweeps, many for points at rest, one a step for moving ones, started
+/// from the last. c_i is 2 dimension / (sum of w r^2 V). `compact` leaves l = 0 and takes c of a
+/// full lattice.
 ///
 /// Walls lie where their surface is, not at their points: a wall point at depth d_j shows the fluid
 /// point i at distance d_i the temperature T_s + (T_s - T_i) d_j/d_i. An adiabatic wall shows the
@@ -62,10 +63,10 @@ class Conduction final : public HeatExchange {
   double lattice_constant_;
   bool corrected_;
   Families families_;
-  PointArray correction_;                  // l, 1/m
-  PointArray normaliser_;                  // c, 1/m^(Dim+2)
-  std::vector<double> rows_;               // a point: x y z V | l c
-  std::vector<double> insulation_;         // distance from the nearest adiabatic wall, m
+  PointArray correction_;           // l, 1/m
+  PointArray normaliser_;           // c, 1/m^(Dim+2)
+  std::vector<double> rows_;        // a point: x y z V | l c
+  std::vector<double> insulation_;  // distance from the nearest adiabatic wall, m
   std::vector<const double*> insulation_normal_;
   std::vector<double> bond_weight_, image_weight_, conductance_;
   std::vector<double> bond_area_, wall_area_;  // as bonds see it now, and at the start

@@ -7,12 +7,12 @@
 
 namespace lapilli {
 
-double volume_mean_nusselt(const Points& points, const WallSurface& walls, const Flow& flow,
-                           const PeridynamicHeat& heat, int axis, const NusseltScale& scale) {
+double volume_mean_nusselt(const Points& points, const Flow& flow, const PeridynamicHeat& heat,
+                           int axis, const NusseltScale& scale) {
   const int dimension = points.dimension();
   double carried = 0.0, volume = 0.0;
   for (Index i = 0; i < points.size(); ++i) {
-    if (walls.wall(i) < 0) {
+    if (heat.walls().wall(i) < 0) {
       const double v = points.volume()[i];
       carried += v * flow.velocity()[i * dimension + axis] * heat.temperature()[i];
       volume += v;

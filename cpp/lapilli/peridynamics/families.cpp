@@ -57,7 +57,8 @@ class CellList {
   /// Call body(row) for all points in the cells around `cell`, in a fixed order.
   template <class Body>
   void around(const std::array<Index, 3>& cell, const Body& body) const {
-    for (Index z = std::max<Index>(0, cell[2] - 1); z <= std::min(count_[2] - 1, cell[2] + 1); ++z) {
+    for (Index z = std::max<Index>(0, cell[2] - 1); z <= std::min(count_[2] - 1, cell[2] + 1);
+         ++z) {
       for (Index y = std::max<Index>(0, cell[1] - 1); y <= std::min(count_[1] - 1, cell[1] + 1);
            ++y) {
         const Index line = (z * count_[1] + y) * count_[0];
@@ -151,7 +152,8 @@ bool Families::stale() const {
     for (Index row = begin; row < end; ++row) {
       const double* reference = reference_.data() + row * dimension;
       // Written so that a position that is no number counts as far.
-      any |= !(squared_distance(dimension, position.data() + row * dimension, reference) <= allowed);
+      any |=
+          !(squared_distance(dimension, position.data() + row * dimension, reference) <= allowed);
     }
     far[begin / piece_rows] = any ? 1 : 0;
   });

@@ -48,9 +48,7 @@ class Families {
   Index bonds() const { return static_cast<Index>(neighbour_.size()); }
   const std::int32_t* neighbours() const { return neighbour_.data(); }
   std::int32_t neighbour(Index bond) const { return neighbour_[bond]; }
-  bool owns(Index point) const {
-    return roles_[points_.body()[point]].member == Member::owner;
-  }
+  bool owns(Index point) const { return roles_[points_.body()[point]].member == Member::owner; }
   bool is_wall(Index point) const { return roles_[points_.body()[point]].wall; }
 
   double horizon() const { return horizon_; }

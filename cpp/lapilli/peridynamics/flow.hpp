@@ -33,13 +33,14 @@ class Flow : public Physics {
 
 /// Ways in which the paper's printed equations fail; for the tests that show it.
 struct PrintedEquations {
-  bool old_stress = false;     // Eq. 35: acceleration from the stress of the step before
+  bool old_stress = false;          // Eq. 35: acceleration from the stress of the step before
   bool towards_neighbours = false;  // Eq. 38: shifting towards the neighbours
 };
 
 /// A weakly compressible viscous fluid; `heat` may be null (no buoyancy). Moves the points.
 std::unique_ptr<Flow> make_flow(Points& points, std::shared_ptr<const WallSurface> walls,
-                                const PeridynamicFlowSettings& settings, const PeridynamicHeat* heat,
-                                bool with_dissipation = false, PrintedEquations printed = {});
+                                const PeridynamicFlowSettings& settings,
+                                const PeridynamicHeat* heat, bool with_dissipation = false,
+                                PrintedEquations printed = {});
 
 }  // namespace lapilli

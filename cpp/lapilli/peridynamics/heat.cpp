@@ -29,14 +29,14 @@ PeridynamicHeat::PeridynamicHeat(Points& points, std::shared_ptr<const WallSurfa
 }
 
 StepLimit PeridynamicHeat::step_limit() const {
-  const double diffusivity =
-      settings_.conductivity / (settings_.density * settings_.specific_heat);
+  const double diffusivity = settings_.conductivity / (settings_.density * settings_.specific_heat);
   if (diffusivity == 0.0) {
     return {};
   }
   const double natural =
       walls_->spacing() * walls_->spacing() / (points_.dimension() * diffusivity);
-  return {0.5 * natural, settings_.step_factor * natural, "explicit conduction, 0.5 dx^2/(dim alpha)"};
+  return {0.5 * natural, settings_.step_factor * natural,
+          "explicit conduction, 0.5 dx^2/(dim alpha)"};
 }
 
 StepReport PeridynamicHeat::advance(const Step& step) {
@@ -84,7 +84,8 @@ void PeridynamicHeat::add_sources(const Step& step) {
     source.evaluate(place, temperature_.values(), step.time, density);
     for (Index i = 0; i < points_.size(); ++i) {
       if (walls_->wall(i) < 0) {
-        const double power = density[i] * capacity_[i] / (settings_.density * settings_.specific_heat);
+        const double power =
+            density[i] * capacity_[i] / (settings_.density * settings_.specific_heat);
         rate_[i] += power;
         source_power_ += power;
       }

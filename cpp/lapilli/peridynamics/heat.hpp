@@ -13,9 +13,9 @@ namespace lapilli {
 /// Heat in a fluid (or any set of points) on the thermal horizon: rho c dT/dt = -div q + source.
 ///
 /// Yang, Zhao, Zhu, Feng, Eq. 24 with the sign that conducts (as printed it gathers heat), forward
-/// Euler. The capacity of a point, rho c V, is that of its first volume. Points move with the fluid,
-/// so convection needs no term. Not modelled: properties that depend on temperature, radiation,
-/// heat within walls.
+/// Euler. The capacity of a point, rho c V, is that of its first volume. Points move with the
+/// fluid, so convection needs no term. Not modelled: properties that depend on temperature,
+/// radiation, heat within walls.
 class PeridynamicHeat final : public Physics {
  public:
   PeridynamicHeat(Points& points, std::shared_ptr<const WallSurface> walls,
@@ -44,6 +44,7 @@ class PeridynamicHeat final : public Physics {
   /// Heat flux into the fluid near `place` on `wall`, W/m^2; see HeatExchange::wall_flux.
   double wall_flux(int wall, const Vec3& place, double reach) const;
   double wall_area(int wall) const { return exchange_->wall_area(wall); }
+  const WallSurface& walls() const { return *walls_; }
   const HeatExchange& exchange() const { return *exchange_; }
 
  private:

@@ -1,6 +1,7 @@
 #include "lapilli/peridynamics/heat_exchange.hpp"
 
 #include "lapilli/peridynamics/conduction.hpp"
+#include "lapilli/peridynamics/two_field_conduction.hpp"
 
 namespace lapilli {
 namespace {
@@ -8,6 +9,9 @@ namespace {
 template <int Dim>
 std::unique_ptr<HeatExchange> make(Points& points, const WallSurface& walls,
                                    const PeridynamicHeatSettings& settings) {
+  if (settings.laplacian == Laplacian::literal || settings.laplacian == Laplacian::zero_energy) {
+    return std::make_unique<TwoFieldConduction<Dim>>(points, walls, settings);
+  }
   return std::make_unique<Conduction<Dim>>(points, walls, settings);
 }
 

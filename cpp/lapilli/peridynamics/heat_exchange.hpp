@@ -23,7 +23,8 @@ class HeatExchange {
 
   /// Bring families and weights up to date with the points; costs nothing while they are at rest.
   virtual void update() = 0;
-  /// Bring what the functions below report up to date without changing what the next `update` finds.
+  /// Bring what the functions below report up to date without changing what the next `update`
+  /// finds.
   virtual void refresh() = 0;
   /// Rate of heat into every fluid point, W (rows of other points: 0), and from every wall, W.
   virtual void rates(const double* temperature, const std::vector<WallState>& surface, double* rate,

@@ -34,11 +34,11 @@ struct PeridynamicHeatSettings {
   double horizon = 1.515;            // in spacings
   Influence influence = Influence::gaussian;
   Laplacian laplacian = Laplacian::corrected;
-  double zero_energy = 0.5;          // coefficient of the zero-energy term
-  Value source = 0.0;                // W/m^3
-  bool dissipation = false;          // viscous heating
-  double skin = 0.3;                 // in spacings; families are searched again after half of it
-  double step_factor = 0.25;         // of spacing^2 / (dimension diffusivity)
+  double zero_energy = 0.5;   // coefficient of the zero-energy term
+  Value source = 0.0;         // W/m^3
+  bool dissipation = false;   // viscous heating
+  double skin = 0.3;          // in spacings; families are searched again after half of it
+  double step_factor = 0.25;  // of spacing^2 / (dimension diffusivity)
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -53,8 +53,10 @@ struct PeridynamicHeatSettings {
           self.zero_energy);
     visit(Key("source").unit("W/m^3").text("heat source"), self.source);
     visit(Key("dissipation").text("whether viscous work becomes heat"), self.dissipation);
-    visit(Key("skin").range(0.0, 2.0, true).text("reach of the neighbour list beyond the horizon, in "
-                                                 "spacings"),
+    visit(Key("skin")
+              .range(0.0, 2.0, true)
+              .text("reach of the neighbour list beyond the horizon, in "
+                    "spacings"),
           self.skin);
     visit(Key("step_factor").range(0.0, 1.0, true).text("of spacing^2 / (dimension diffusivity)"),
           self.step_factor);

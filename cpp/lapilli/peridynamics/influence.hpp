@@ -16,18 +16,20 @@ enum class Influence {
 
 template <>
 struct Names<Influence> {
-  static constexpr std::pair<Influence, const char*> values[] = {
-      {Influence::gaussian, "gaussian"}, {Influence::unity, "unity"}, {Influence::spline, "spline"}};
+  static constexpr std::pair<Influence, const char*> values[] = {{Influence::gaussian, "gaussian"},
+                                                                 {Influence::unity, "unity"},
+                                                                 {Influence::spline, "spline"}};
 };
 
 /// The weight of a bond: influence times the share of the neighbour that lies in the horizon.
 ///
-/// The share is min(1, (horizon + spacing/2 - r) / spacing): 1 within, 1/2 at the horizon. The paper
-/// prints (horizon - spacing/2 - r) / spacing (Eq. 30), which is negative wherever it applies.
+/// The share is min(1, (horizon + spacing/2 - r) / spacing): 1 within, 1/2 at the horizon. The
+/// paper prints (horizon - spacing/2 - r) / spacing (Eq. 30), which is negative wherever it
+/// applies.
 struct BondWeight {
   Influence influence = Influence::gaussian;
-  double horizon = 0.0;         // m
-  double spacing = 0.0;         // m
+  double horizon = 0.0;  // m
+  double spacing = 0.0;  // m
   bool volume_correction = true;
 
   double operator()(double length) const;
@@ -42,7 +44,8 @@ class BondWeightLanes {
       : influence_(weight.influence),
         horizon_squared_(spread(weight.horizon * weight.horizon)),
         rate_(spread(-4.0 / (weight.horizon * weight.horizon))),
-        share_offset_(spread(weight.volume_correction ? weight.horizon / weight.spacing + 0.5 : 1.0)),
+        share_offset_(
+            spread(weight.volume_correction ? weight.horizon / weight.spacing + 0.5 : 1.0)),
         share_slope_(spread(weight.volume_correction ? -1.0 / weight.spacing : 0.0)),
         half_inverse_(spread(2.0 / weight.horizon)) {}
 
@@ -69,7 +72,8 @@ class BondWeightLanes {
 
 }  // namespace lanes
 
-/// The m of the shape matrix m I on a full square (cubic) lattice: sum of w r^2 V / dimension, m^(dim+2).
+/// The m of the shape matrix m I on a full square (cubic) lattice: sum of w r^2 V / dimension,
+/// m^(dim+2).
 double lattice_moment(int dimension, const BondWeight& weight);
 
 }  // namespace lapilli

@@ -64,8 +64,9 @@ inline constexpr std::int64_t width = 4;
   Lanes f = multiply_add(n, spread(-6.93147180369123816490e-01), x);
   f = multiply_add(n, spread(-1.90821492927058770002e-10), f);
   Lanes p = spread(1.0 / 39916800.0);
-  for (const double coefficient : {1.0 / 3628800.0, 1.0 / 362880.0, 1.0 / 40320.0, 1.0 / 5040.0,
-                                   1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0}) {
+  for (const double coefficient :
+       {1.0 / 3628800.0, 1.0 / 362880.0, 1.0 / 40320.0, 1.0 / 5040.0, 1.0 / 720.0, 1.0 / 120.0,
+        1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0}) {
     p = multiply_add(p, f, spread(coefficient));
   }
   LaneMask bits, exponent;

@@ -7,6 +7,7 @@
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/peridynamics/heat.hpp"
+#include "lapilli/peridynamics/sound_speed.hpp"
 
 namespace lapilli {
 namespace {
@@ -17,9 +18,8 @@ constexpr int sort_every = 8;           // searches
 
 template <class Body>
 void over_pieces(Index rows, const Body& body) {
-  parallel_tasks((rows + piece - 1) / piece, [&](Index task) {
-    body(task, task * piece, std::min(rows, (task + 1) * piece));
-  });
+  parallel_tasks((rows + piece - 1) / piece,
+                 [&](Index task) { body(task, task * piece, std::min(rows, (task + 1) * piece)); });
 }
 
 std::vector<FamilyRole> roles_of(const WallSurface& walls) {
@@ -50,6 +50,9 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<const Wall
       weight_{settings.influence, settings.horizon * walls_->spacing(), walls_->spacing(), true},
       lattice_constant_(2.0 / lattice_moment(Dim, weight_)),
       gravity_(vector_of<Dim>(settings.gravity)),
+      sound_speed_(choose_sound_speed(points, *walls_, settings,
+                                      heat != nullptr ? heat->wall_range() : 0.0)),
+      pressure_{settings.density, sound_speed_, settings.stiffness_exponent},
       two_field_(settings.laplacian == Laplacian::literal ||
                  settings.laplacian == Laplacian::zero_energy),
       velocity_(points, Dim),
@@ -81,58 +84,20 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<const Wall
   piece_least_.assign(tasks, settings.density);
   piece_most_.assign(tasks, settings.density);
   piece_spacing_.assign(tasks, 1e100);
-  sound_speed_ = choose_sound_speed();
-}
-
-template <int Dim>
-double PeridynamicFlow<Dim>::choose_sound_speed() const {
-  if (settings_.sound_speed > 0.0) {
-    return settings_.sound_speed;
-  }
-  double wall_speed = 0.0;
-  for (const Wall& wall : walls_->walls()) {
-    wall_speed = std::max(wall_speed, vector_of<Dim>(wall.settings.velocity).norm());
-  }
-  const double g = gravity_.norm();
-  const Vec<Dim> along = g > 0.0 ? Vec<Dim>(gravity_ / g) : Vec<Dim>(Vec<Dim>::Unit(0));
-  double least = 1e300, most = -1e300;
-  for (Index i = 0; i < points_.size(); ++i) {
-    if (fluid(i)) {
-      const double height = along.dot(points_.position<Dim>(i));
-      least = std::min(least, height);
-      most = std::max(most, height);
-    }
-  }
-  const double length =
-      settings_.length > 0.0 ? settings_.length : most - least + walls_->spacing();
-  double range = settings_.temperature_range;
-  if (range == 0.0 && heat_ != nullptr) {
-    range = heat_->wall_range();
-  }
-  const double drive =
-      settings_.buoyancy == Buoyancy::full ? g : g * std::abs(settings_.expansion) * range;
-  const double speed =
-      std::max({settings_.sound_speed_factor * std::sqrt(drive * length), 10.0 * wall_speed,
-                10.0 * settings_.viscosity / settings_.density / length});
-  require(speed > 0.0,
-          "no sound speed follows from this scene (no buoyancy, no moving wall, no viscosity): give "
-          "sound_speed");
-  return speed;
 }
 
 template <int Dim>
 StepLimit PeridynamicFlow<Dim>::step_limit() const {
   const double dx = walls_->spacing();
   const double acoustic = dx / sound_speed_;
-  const double viscous =
-      settings_.viscosity > 0.0
-          ? dx * dx * settings_.density / (Dim * settings_.viscosity)
-          : std::numeric_limits<double>::infinity();
+  const double viscous = settings_.viscosity > 0.0
+                             ? dx * dx * settings_.density / (Dim * settings_.viscosity)
+                             : std::numeric_limits<double>::infinity();
   StepLimit limit;
   limit.hard = std::min(acoustic, viscous);
   limit.automatic = std::min(settings_.courant * acoustic, settings_.viscous_step * viscous);
-  limit.reason = message("explicit flow: dx / sound speed ", acoustic, " s, dx^2 / (dim nu) ",
-                         viscous, " s");
+  limit.reason =
+      message("explicit flow: dx / sound speed ", acoustic, " s, dx^2 / (dim nu) ", viscous, " s");
   return limit;
 }
 
@@ -154,10 +119,34 @@ StepReport PeridynamicFlow<Dim>::advance(const Step& step) {
 template <int Dim>
 void PeridynamicFlow<Dim>::start() {
   find_families();
+  part_coincident_points();
   gather_rows();
   update_density(0.0);
   accelerate();
   started_ = true;
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::part_coincident_points() {
+  // Shifting spreads points that are close, but two in one place have no direction to part in.
+  const double together = 1e-6 * walls_->spacing(), apart = 1e-2 * walls_->spacing();
+  bool parted = false;
+  for (Index i = 0; i < points_.size(); ++i) {
+    for (Index bond = families_.begin(i); bond < families_.end(i) && fluid(i); ++bond) {
+      const Index j = families_.neighbour(bond);
+      if (points_.id()[j] < points_.id()[i] &&
+          (points_.position<Dim>(i) - points_.position<Dim>(j)).norm() < together) {
+        for (int d = 0; d < Dim; ++d) {
+          points_.position()[i * Dim + d] +=
+              apart * std::cos(static_cast<double>(points_.id()[i]) + 1.5707963 * d);
+        }
+        parted = true;
+      }
+    }
+  }
+  if (parted) {
+    points_.moved();
+  }
 }
 
 template <int Dim>
@@ -216,6 +205,45 @@ void PeridynamicFlow<Dim>::find_families() {
   }
   if (families_.update()) {
     bond_weight_.resize(static_cast<std::size_t>(families_.bonds()));
+    check_places();
+  }
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::check_places() const {
+  for (Index i = 0; i < points_.size(); ++i) {
+    if (!fluid(i)) {
+      continue;
+    }
+    const auto place = [&] {
+      std::string text;
+      for (int d = 0; d < Dim; ++d) {
+        text += message(d > 0 ? ", " : "", points_.position()[i * Dim + d]);
+      }
+      return text;
+    };
+    if (families_.end(i) - families_.begin(i) < Dim + 1) {
+      throw RunError(message("point ", points_.id()[i], " has escaped to (", place(),
+                             ") and has lost its family: its velocity there is ",
+                             Eigen::Map<const Vec<Dim>>(velocity_.data() + i * Dim).norm(),
+                             " m/s; a gap in the walls, or too long a step"));
+    }
+    double nearest = 1e300, ahead = 0.0;
+    int wall = -1;
+    for (Index bond = families_.wall_begin(i); bond < families_.end(i); ++bond) {
+      const Index j = families_.neighbour(bond);
+      const double squared = (points_.position<Dim>(j) - points_.position<Dim>(i)).squaredNorm();
+      if (squared < nearest) {
+        nearest = squared;
+        ahead = walls_->template distance<Dim>(points_.position().data() + i * Dim, j);
+        wall = walls_->wall(j);
+      }
+    }
+    if (ahead < -0.5 * walls_->spacing()) {
+      throw RunError(message("point ", points_.id()[i], " has escaped through wall '",
+                             walls_->walls()[wall].settings.name, "' at (", place(), "): it lies ",
+                             -ahead, " m behind its surface"));
+    }
   }
 }
 
@@ -240,7 +268,7 @@ void PeridynamicFlow<Dim>::update_density(double step_size) {
   over_pieces(points_.size(), [&](Index task, Index begin, Index end) {
     double least = most_density_, most = 0.0, closest = 1e200;
     for (Index i = begin; i < end; ++i) {
-      Sums sums = add_bonds(i, bond_weight_.data());
+      BondSums<Dim> sums = sum_bonds<Dim>(rows_.data(), families_, weight_, i, bond_weight_.data());
       if (fluid(i)) {
         see_walls(i, sums);
         closest = std::min(closest, sums.least_squared);
@@ -261,86 +289,7 @@ void PeridynamicFlow<Dim>::update_density(double step_size) {
 }
 
 template <int Dim>
-auto PeridynamicFlow<Dim>::add_bonds(Index point, double* weights) const -> Sums {
-  using lanes::Lanes;
-  using lanes::multiply_add;
-  using lanes::spread;
-  const lanes::BondWeightLanes weight(weight_);
-  const double* rows = rows_.data();
-  const std::int32_t* neighbours = families_.neighbours();
-  const double* own = rows + point * row_size;
-  const Lanes zero = spread(0.0), one = spread(1.0);
-  const Lanes within = spread(weight_.horizon * weight_.horizon);
-  const Lanes tiny = spread(1e-20 * weight_.horizon * weight_.horizon);
-  Lanes shape[Dim][Dim], gradient[Dim][Dim], bond[Dim], velocity[Dim], crowding[Dim];
-  for (int a = 0; a < Dim; ++a) {
-    bond[a] = velocity[a] = crowding[a] = zero;
-    for (int b = 0; b < Dim; ++b) {
-      shape[a][b] = gradient[a][b] = zero;
-    }
-  }
-  Lanes density = zero, length = zero, count = zero, closest = spread(1e200);
-  for (Index k = families_.begin(point); k < families_.padded_end(point); k += lanes::width) {
-    const double* r0 = rows + neighbours[k] * row_size;
-    const double* r1 = rows + neighbours[k + 1] * row_size;
-    const double* r2 = rows + neighbours[k + 2] * row_size;
-    const double* r3 = rows + neighbours[k + 3] * row_size;
-    Lanes x[4] = {lanes::load(r0), lanes::load(r1), lanes::load(r2), lanes::load(r3)};
-    Lanes u[4] = {lanes::load(r0 + 4), lanes::load(r1 + 4), lanes::load(r2 + 4),
-                  lanes::load(r3 + 4)};
-    lanes::transpose(x[0], x[1], x[2], x[3]);
-    lanes::transpose(u[0], u[1], u[2], u[3]);
-    Lanes squared = zero;
-    for (int d = 0; d < Dim; ++d) {
-      x[d] -= spread(own[d]);
-      u[d] -= spread(own[4 + d]);
-      squared = multiply_add(x[d], x[d], squared);
-    }
-    const Lanes r = lanes::square_root(squared);
-    const Lanes w = weight(squared, r) * x[3];
-    lanes::store(weights + k, w);
-    density = multiply_add(w, u[3] - spread(own[7]), density);
-    const lanes::LaneMask counts = (squared < within) & (squared > tiny);
-    const Lanes inverse = lanes::choose(counts, one / squared, zero);
-    const Lanes present = lanes::choose(counts, one, zero);
-    const Lanes push = inverse * inverse * r;
-    count += present;
-    length = multiply_add(present, r, length);
-    const Lanes candidate = lanes::choose(squared > tiny, squared, spread(1e200));
-    closest = lanes::choose(candidate < closest, candidate, closest);
-    for (int a = 0; a < Dim; ++a) {
-      const Lanes wa = w * x[a];
-      bond[a] += wa;
-      velocity[a] = multiply_add(w, u[a], velocity[a]);
-      crowding[a] = multiply_add(push, x[a], crowding[a]);
-      for (int b = 0; b < Dim; ++b) {
-        if (b >= a) {
-          shape[a][b] = multiply_add(wa, x[b], shape[a][b]);
-        }
-        gradient[b][a] = multiply_add(wa, u[b], gradient[b][a]);
-      }
-    }
-  }
-  Sums sums;
-  for (int a = 0; a < Dim; ++a) {
-    sums.bond[a] = lanes::sum(bond[a]);
-    sums.velocity[a] = lanes::sum(velocity[a]);
-    sums.crowding[a] = lanes::sum(crowding[a]);
-    for (int b = 0; b < Dim; ++b) {
-      sums.shape(a, b) = lanes::sum(b >= a ? shape[a][b] : shape[b][a]);
-      sums.gradient(a, b) = lanes::sum(gradient[a][b]);
-    }
-  }
-  sums.density = lanes::sum(density);
-  sums.length = lanes::sum(length);
-  sums.count = lanes::sum(count);
-  sums.least_squared =
-      std::min(std::min(closest[0], closest[1]), std::min(closest[2], closest[3]));
-  return sums;
-}
-
-template <int Dim>
-void PeridynamicFlow<Dim>::see_walls(Index point, Sums& sums) const {
+void PeridynamicFlow<Dim>::see_walls(Index point, BondSums<Dim>& sums) const {
   const double* own = rows_.data() + point * row_size;
   const double least = 0.25 * walls_->spacing();
   for (Index k = families_.wall_begin(point); k < families_.end(point); ++k) {
@@ -367,7 +316,7 @@ void PeridynamicFlow<Dim>::see_walls(Index point, Sums& sums) const {
 }
 
 template <int Dim>
-void PeridynamicFlow<Dim>::update_point(Index point, const Sums& sums, double step_size) {
+void PeridynamicFlow<Dim>::update_point(Index point, const BondSums<Dim>& sums, double step_size) {
   const Mat<Dim> inverse = sums.shape.inverse();
   const Mat<Dim> gradient = sums.gradient * inverse;
   const double old = density_[point];
@@ -376,7 +325,7 @@ void PeridynamicFlow<Dim>::update_point(Index point, const Sums& sums, double st
   const double diffusion = settings_.density_diffusion * sound_speed_ * walls_->spacing() * 2.0 *
                            Dim / trace * sums.density;
   density_[point] = old + step_size * (diffusion - old * gradient.trace());
-  const double p = pressure(printed_.old_stress ? old : density_[point]);
+  const double p = pressure_(printed_.old_stress ? old : density_[point]);
 
   Mat<Dim> stress = -p * inverse;
   if (two_field_) {
@@ -387,7 +336,8 @@ void PeridynamicFlow<Dim>::update_point(Index point, const Sums& sums, double st
   } else if (settings_.laplacian == Laplacian::compact) {
     force_[point] = settings_.viscosity * lattice_constant_ * sums.velocity;
   } else {
-    force_[point] = settings_.viscosity * 2.0 * Dim / trace * (sums.velocity - gradient * sums.bond);
+    force_[point] =
+        settings_.viscosity * 2.0 * Dim / trace * (sums.velocity - gradient * sums.bond);
   }
   bond_sum_[point] = sums.bond;
 
@@ -526,18 +476,6 @@ void PeridynamicFlow<Dim>::kick(double step_size) {
 }
 
 template <int Dim>
-double PeridynamicFlow<Dim>::pressure(double density) const {
-  const double n = settings_.stiffness_exponent;
-  const double ratio = density / settings_.density;
-  const double scale = settings_.density * sound_speed_ * sound_speed_ / n;
-  if (n == 7.0) {
-    const double squared = ratio * ratio;
-    return scale * (squared * squared * squared * ratio - 1.0);
-  }
-  return scale * (std::pow(ratio, n) - 1.0);
-}
-
-template <int Dim>
 void PeridynamicFlow<Dim>::check_density() {
   for (std::size_t task = 0; task < piece_least_.size(); ++task) {
     least_density_ = std::min(least_density_, piece_least_[task]);
@@ -561,29 +499,6 @@ void PeridynamicFlow<Dim>::check_density() {
 }
 
 template <int Dim>
-double PeridynamicFlow<Dim>::velocity_noise() const {
-  double noise = 0.0, total = 0.0;
-  for (Index i = 0; i < points_.size(); ++i) {
-    if (!fluid(i)) {
-      continue;
-    }
-    Vec<Dim> mean = Vec<Dim>::Zero();
-    double weight = 0.0;
-    const Eigen::Map<const Vec<Dim>> own(velocity_.data() + i * Dim);
-    for (Index k = families_.begin(i); k < families_.end(i); ++k) {
-      const Index j = families_.neighbour(k);
-      mean += bond_weight_[k] * Eigen::Map<const Vec<Dim>>(velocity_.data() + j * Dim);
-      weight += bond_weight_[k];
-    }
-    if (weight > 0.0) {
-      noise += (own - mean / weight).squaredNorm();
-      total += own.squaredNorm();
-    }
-  }
-  return total > 0.0 ? std::sqrt(noise / total) : 0.0;
-}
-
-template <int Dim>
 std::vector<Field> PeridynamicFlow<Dim>::fields() {
   return {{"velocity", "m/s", Dim, velocity_.values()},
           {"density", "kg/m^3", 1, density_.values()}};
@@ -592,12 +507,10 @@ std::vector<Field> PeridynamicFlow<Dim>::fields() {
 template <int Dim>
 std::vector<std::pair<std::string, double>> PeridynamicFlow<Dim>::diagnostics() const {
   const auto [low, high] = density_variation();
-  return {{"velocity noise", velocity_noise()},
-          {"least density variation", low},
-          {"greatest density variation", high},
-          {"smallest spacing", smallest_spacing()},
-          {"sound speed", sound_speed_},
-          {"family searches", static_cast<double>(searches())}};
+  return {
+      {"velocity noise", velocity_noise()}, {"least density variation", low},
+      {"greatest density variation", high}, {"smallest spacing", smallest_spacing()},
+      {"sound speed", sound_speed_},        {"family searches", static_cast<double>(searches())}};
 }
 
 template <int Dim>
@@ -629,6 +542,7 @@ void PeridynamicFlow<Dim>::load(const Archive& archive) {
   most_density_ = numbers[1];
   smallest_spacing_ = numbers[2];
   sound_speed_ = numbers[3];
+  pressure_.sound_speed = sound_speed_;
   started_ = numbers[4] == 1.0;
   if (dissipation_) {
     archive.read("flow/dissipation", dissipation_->values());
@@ -640,21 +554,5 @@ void PeridynamicFlow<Dim>::load(const Archive& archive) {
 template class PeridynamicFlow<1>;
 template class PeridynamicFlow<2>;
 template class PeridynamicFlow<3>;
-
-std::unique_ptr<Flow> make_flow(Points& points, std::shared_ptr<const WallSurface> walls,
-                                const PeridynamicFlowSettings& settings, const PeridynamicHeat* heat,
-                                bool with_dissipation, PrintedEquations printed) {
-  switch (points.dimension()) {
-    case 1:
-      return std::make_unique<PeridynamicFlow<1>>(points, std::move(walls), settings, heat,
-                                                  with_dissipation, printed);
-    case 2:
-      return std::make_unique<PeridynamicFlow<2>>(points, std::move(walls), settings, heat,
-                                                  with_dissipation, printed);
-    default:
-      return std::make_unique<PeridynamicFlow<3>>(points, std::move(walls), settings, heat,
-                                                  with_dissipation, printed);
-  }
-}
 
 }  // namespace lapilli

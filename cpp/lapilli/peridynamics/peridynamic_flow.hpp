@@ -3,7 +3,10 @@
 #include <utility>
 #include <vector>
 
+#include "lapilli/peridynamics/bond_sums.hpp"
+#include "lapilli/peridynamics/equation_of_state.hpp"
 #include "lapilli/peridynamics/flow.hpp"
+#include "lapilli/peridynamics/velocity_noise.hpp"
 
 namespace lapilli {
 
@@ -35,7 +38,9 @@ class PeridynamicFlow final : public Flow {
   const PointArray& density() const override { return density_; }
   const PointArray* dissipation() const override { return dissipation_.get(); }
   double sound_speed() const override { return sound_speed_; }
-  double velocity_noise() const override;
+  double velocity_noise() const override {
+    return lapilli::velocity_noise<Dim>(*walls_, families_, bond_weight_, velocity_);
+  }
   std::pair<double, double> density_variation() const override {
     return {least_density_ / settings_.density - 1.0, most_density_ / settings_.density - 1.0};
   }
@@ -43,40 +48,28 @@ class PeridynamicFlow final : public Flow {
   Index searches() const override { return families_.searches(); }
 
  private:
-  /// What the bonds of one point add up to.
-  struct Sums {
-    Mat<Dim> shape = Mat<Dim>::Zero();      // sum w Y Y V
-    Mat<Dim> gradient = Mat<Dim>::Zero();   // sum w (v_j - v_i) Y V
-    Vec<Dim> bond = Vec<Dim>::Zero();       // sum w Y V
-    Vec<Dim> velocity = Vec<Dim>::Zero();   // sum w (v_j - v_i) V
-    double density = 0.0;                   // sum w (rho_j - rho_i) V
-    Vec<Dim> crowding = Vec<Dim>::Zero();   // sum Y / r^3
-    double length = 0.0, count = 0.0;       // sum r, number of bonds within the horizon
-    double least_squared = 0.0;             // m^2
-  };
-
   void start();
   void kick_and_drift(const Step& step);
+  void part_coincident_points();
   void find_families();
+  /// Throws RunError for a point that has left the fluid.
+  void check_places() const;
   void gather_rows();
   /// New density and pressure, stress rows and viscous force of every point.
   void update_density(double step_size);
-  Sums add_bonds(Index point, double* weights) const;
-  void see_walls(Index point, Sums& sums) const;
-  void update_point(Index point, const Sums& sums, double step_size);
+  void see_walls(Index point, BondSums<Dim>& sums) const;
+  void update_point(Index point, const BondSums<Dim>& sums, double step_size);
   void add_zero_energy();
   /// Acceleration from stress rows and body force.
   void accelerate();
   void kick(double step_size);
   void check_density();
 
-  double pressure(double density) const;
-  double choose_sound_speed() const;
   Vec<Dim> body_force(Index point) const;  // acceleration, m/s^2
   bool fluid(Index point) const { return walls_->wall(point) < 0; }
 
-  static constexpr Index row_size = 8;                              // x y z V | u v w rho
-  static constexpr Index stress_size = Dim == 3 ? 16 : 8;           // see write_stress
+  static constexpr Index row_size = flow_row_size;
+  static constexpr Index stress_size = Dim == 3 ? 16 : 8;  // see update_point
 
   Points& points_;
   std::shared_ptr<const WallSurface> walls_;
@@ -86,14 +79,15 @@ class PeridynamicFlow final : public Flow {
   BondWeight weight_;
   double lattice_constant_;
   Vec<Dim> gravity_;
-  double sound_speed_ = 0.0;
+  double sound_speed_;
+  EquationOfState pressure_;
   bool two_field_;
 
   PointArray velocity_, acceleration_, density_, mass_, shift_;
   std::unique_ptr<PointArray> dissipation_;
   Families families_;
   std::vector<double> rows_, stress_rows_, bond_weight_;
-  std::vector<Vec<Dim>> force_, bond_sum_;  // viscous force per volume; sum w Y V
+  std::vector<Vec<Dim>> force_, bond_sum_;          // viscous force per volume; sum w Y V
   std::vector<Mat<Dim>> gradient_, inverse_shape_;  // kept for two fields only
   std::vector<double> piece_least_, piece_most_, piece_spacing_;
   double least_density_, most_density_, smallest_spacing_ = 1e100;

@@ -35,11 +35,11 @@ struct WallSettings {
   std::string name = "wall";
   Slip slip = Slip::no_slip;
   std::array<double, 3> velocity = {0.0, 0.0, 0.0};  // m/s
-  bool moves = false;           // the points travel with `velocity`; otherwise only their surface runs
+  bool moves = false;  // the points travel with `velocity`; otherwise only their surface runs
   WallHeat heat = WallHeat::adiabatic;
-  Value temperature = 0.0;      // K; of the surface, or of the surroundings for convection
-  Value flux = 0.0;             // W/m^2 into the fluid
-  double coefficient = 0.0;     // W/(m^2 K), convection
+  Value temperature = 0.0;   // K; of the surface, or of the surroundings for convection
+  Value flux = 0.0;          // W/m^2 into the fluid
+  double coefficient = 0.0;  // W/(m^2 K), convection
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {

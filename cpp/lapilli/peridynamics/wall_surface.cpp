@@ -36,8 +36,9 @@ WallSurface::WallSurface(Points& points, std::vector<Wall> walls, const FluidDis
   wall_of_body_.assign(static_cast<std::size_t>(bodies), -1);
   for (std::size_t k = 0; k < walls_.size(); ++k) {
     const int body = walls_[k].body;
-    require(body >= 0 && body < bodies && wall_of_body_[body] < 0, "wall '", walls_[k].settings.name,
-            "' needs a body of its own with points, got body ", body, " of ", bodies);
+    require(body >= 0 && body < bodies && wall_of_body_[body] < 0, "wall '",
+            walls_[k].settings.name, "' needs a body of its own with points, got body ", body,
+            " of ", bodies);
     wall_of_body_[body] = static_cast<int>(k);
   }
   // The share of a spacing by which a lattice point may lie on the wrong side of a curved surface.

@@ -21,8 +21,8 @@ struct Wall {
 /// way the fluid is. Near a wall point the surface is taken as a plane.
 class WallSurface {
  public:
-  /// Points of bodies that are no wall are fluid. Throws std::invalid_argument when a wall point lies
-  /// in the fluid, a fluid point in a wall, or a body number occurs twice.
+  /// Points of bodies that are no wall are fluid. Throws std::invalid_argument when a wall point
+  /// lies in the fluid, a fluid point in a wall, or a body number occurs twice.
   WallSurface(Points& points, std::vector<Wall> walls, const FluidDistance& distance,
               double spacing);
 

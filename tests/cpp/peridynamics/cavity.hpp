@@ -1,20 +1,23 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <random>
 #include <vector>
 
-#include "lapilli/core/points.hpp"
-#include "lapilli/peridynamics/wall_surface.hpp"
+#include "lapilli/core/simulation.hpp"
+#include "lapilli/peridynamics/build.hpp"
+#include "lapilli/peridynamics/diagnostics.hpp"
 
 namespace cavity {
 
 using namespace lapilli;
 
 /// A box [0, width] x [0, 1] of columns x rows points, with `layers` of wall points in four bodies:
-/// 1 left, 2 right (both with the corners), 3 bottom, 4 top. `offset` is where the first row lies in
-/// front of the surface, in spacings: 0.5 for walls between points, 1 for walls on points.
+/// 1 left, 2 right (both with the corners), 3 bottom, 4 top. `offset` is where the first row lies
+/// in front of the surface, in spacings: 0.5 for walls between points, 1 for walls on points.
 struct Layout {
   int columns = 20, rows = 20, layers = 3;
   double offset = 0.5, jitter = 0.0;
@@ -77,6 +80,61 @@ inline std::vector<Wall> make_walls(double left, double right) {
   walls[0].settings.temperature = left;
   walls[1].settings.temperature = right;
   return walls;
+}
+
+/// A box between a wall at 1 K on the left and one at 0 K on the right, ready to run.
+struct Case {
+  Layout layout;
+  PeridynamicHeat* heat = nullptr;
+  Flow* flow = nullptr;
+  std::unique_ptr<Simulation> simulation;
+
+  Case(const Layout& of, const PeridynamicHeatSettings& heat_settings,
+       std::optional<PeridynamicFlowSettings> flow_settings = {},
+       std::vector<Wall> walls = make_walls(1.0, 0.0))
+      : layout(of) {
+    auto points = make_points(layout);
+    const PeridynamicScene scene{layout.spacing(), box_distance(layout), std::move(walls),
+                                 heat_settings, flow_settings};
+    auto physics = build_peridynamics(*points, scene);
+    heat = dynamic_cast<PeridynamicHeat*>(physics.front().get());
+    flow = dynamic_cast<Flow*>(physics.back().get());
+    simulation = std::make_unique<Simulation>(std::move(points), std::move(physics),
+                                              Simulation::Clock{100.0, 0.0});
+  }
+
+  const Points& points() const { return simulation->points(); }
+  bool fluid(Index i) const { return points().body()[i] == 0; }
+
+  /// Relative L2 error of temperature against Eq. 41 (alpha = 1, from 0 K).
+  double conduction_error() const {
+    double difference = 0.0, norm = 0.0;
+    for (Index i = 0; i < points().size(); ++i) {
+      if (fluid(i)) {
+        const double x = points().position()[2 * i];
+        double exact = 1.0 - x;
+        for (int n = 1; n < 100; ++n) {
+          const double k = n * M_PI;
+          exact -= 2.0 / k * std::sin(k * x) * std::exp(-k * k * simulation->time());
+        }
+        difference += std::pow(heat->temperature()[i] - exact, 2);
+        norm += exact * exact;
+      }
+    }
+    return std::sqrt(difference / norm);
+  }
+};
+
+/// Air between the walls, l = alpha = dT = rho = 1, from the mean temperature.
+inline Case natural_convection(const Layout& layout, double rayleigh, double prandtl = 0.71,
+                               PeridynamicHeatSettings heat = {},
+                               PeridynamicFlowSettings flow = {}) {
+  heat.initial_temperature = 0.5;
+  flow.viscosity = prandtl;
+  flow.expansion = 1.0;
+  flow.reference_temperature = 0.5;
+  flow.gravity = {0.0, -rayleigh * prandtl, 0.0};
+  return Case(layout, heat, flow);
 }
 
 }  // namespace cavity

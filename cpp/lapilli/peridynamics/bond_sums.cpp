@@ -1,0 +1,95 @@
+#include "lapilli/peridynamics/bond_sums.hpp"
+
+#include <algorithm>
+
+#include "lapilli/peridynamics/lanes.hpp"
+
+namespace lapilli {
+
+template <int Dim>
+BondSums<Dim> sum_bonds(const double* rows, const Families& families, const BondWeight& influence,
+                        Index point, double* weights) {
+  using lanes::Lanes;
+  using lanes::multiply_add;
+  using lanes::spread;
+  constexpr Index row_size = flow_row_size;
+  const lanes::BondWeightLanes weight(influence);
+  const std::int32_t* neighbours = families.neighbours();
+  const double* own = rows + point * row_size;
+  const Lanes zero = spread(0.0), one = spread(1.0);
+  const Lanes within = spread(influence.horizon * influence.horizon);
+  const Lanes tiny = spread(1e-20 * influence.horizon * influence.horizon);
+  Lanes shape[Dim][Dim], gradient[Dim][Dim], bond[Dim], velocity[Dim], crowding[Dim];
+  for (int a = 0; a < Dim; ++a) {
+    bond[a] = velocity[a] = crowding[a] = zero;
+    for (int b = 0; b < Dim; ++b) {
+      shape[a][b] = gradient[a][b] = zero;
+    }
+  }
+  Lanes density = zero, length = zero, count = zero, closest = spread(1e200);
+  for (Index k = families.begin(point); k < families.padded_end(point); k += lanes::width) {
+    const double* r0 = rows + neighbours[k] * row_size;
+    const double* r1 = rows + neighbours[k + 1] * row_size;
+    const double* r2 = rows + neighbours[k + 2] * row_size;
+    const double* r3 = rows + neighbours[k + 3] * row_size;
+    Lanes x[4] = {lanes::load(r0), lanes::load(r1), lanes::load(r2), lanes::load(r3)};
+    Lanes u[4] = {lanes::load(r0 + 4), lanes::load(r1 + 4), lanes::load(r2 + 4),
+                  lanes::load(r3 + 4)};
+    lanes::transpose(x[0], x[1], x[2], x[3]);
+    lanes::transpose(u[0], u[1], u[2], u[3]);
+    Lanes squared = zero;
+    for (int d = 0; d < Dim; ++d) {
+      x[d] -= spread(own[d]);
+      u[d] -= spread(own[4 + d]);
+      squared = multiply_add(x[d], x[d], squared);
+    }
+    const Lanes r = lanes::square_root(squared);
+    const Lanes w = weight(squared, r) * x[3];
+    lanes::store(weights + k, w);
+    density = multiply_add(w, u[3] - spread(own[7]), density);
+    const lanes::LaneMask counts = (squared < within) & (squared > tiny);
+    const Lanes inverse = lanes::choose(counts, one / squared, zero);
+    const Lanes present = lanes::choose(counts, one, zero);
+    const Lanes push = inverse * inverse * r;
+    count += present;
+    length = multiply_add(present, r, length);
+    const Lanes candidate = lanes::choose(squared > tiny, squared, spread(1e200));
+    closest = lanes::choose(candidate < closest, candidate, closest);
+    for (int a = 0; a < Dim; ++a) {
+      const Lanes wa = w * x[a];
+      bond[a] += wa;
+      velocity[a] = multiply_add(w, u[a], velocity[a]);
+      crowding[a] = multiply_add(push, x[a], crowding[a]);
+      for (int b = 0; b < Dim; ++b) {
+        if (b >= a) {
+          shape[a][b] = multiply_add(wa, x[b], shape[a][b]);
+        }
+        gradient[b][a] = multiply_add(wa, u[b], gradient[b][a]);
+      }
+    }
+  }
+  BondSums<Dim> sums;
+  for (int a = 0; a < Dim; ++a) {
+    sums.bond[a] = lanes::sum(bond[a]);
+    sums.velocity[a] = lanes::sum(velocity[a]);
+    sums.crowding[a] = lanes::sum(crowding[a]);
+    for (int b = 0; b < Dim; ++b) {
+      sums.shape(a, b) = lanes::sum(b >= a ? shape[a][b] : shape[b][a]);
+      sums.gradient(a, b) = lanes::sum(gradient[a][b]);
+    }
+  }
+  sums.density = lanes::sum(density);
+  sums.length = lanes::sum(length);
+  sums.count = lanes::sum(count);
+  sums.least_squared = std::min(std::min(closest[0], closest[1]), std::min(closest[2], closest[3]));
+  return sums;
+}
+
+template BondSums<1> sum_bonds<1>(const double*, const Families&, const BondWeight&, Index,
+                                  double*);
+template BondSums<2> sum_bonds<2>(const double*, const Families&, const BondWeight&, Index,
+                                  double*);
+template BondSums<3> sum_bonds<3>(const double*, const Families&, const BondWeight&, Index,
+                                  double*);
+
+}  // namespace lapilli
