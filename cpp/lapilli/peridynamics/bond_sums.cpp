@@ -9,54 +9,51 @@ namespace lapilli {
 template <int Dim>
 BondSums<Dim> sum_bonds(const double* rows, const Families& families, const BondWeight& influence,
                         Index point, double* weights) {
-  using lanes::Lanes;
   using lanes::multiply_add;
-  using lanes::spread;
   constexpr Index row_size = flow_row_size;
   const lanes::BondWeightLanes weight(influence);
   const std::int32_t* neighbours = families.neighbours();
   const double* own = rows + point * row_size;
-  const Lanes zero = spread(0.0), one = spread(1.0);
-  const Lanes within = spread(influence.horizon * influence.horizon);
-  const Lanes tiny = spread(1e-20 * influence.horizon * influence.horizon);
-  Lanes shape[Dim][Dim], gradient[Dim][Dim], bond[Dim], velocity[Dim], crowding[Dim];
+  const Quad zero = all(0.0), one = all(1.0);
+  const Quad within = all(influence.horizon * influence.horizon);
+  const Quad tiny = all(1e-20 * influence.horizon * influence.horizon);
+  Quad shape[Dim][Dim], gradient[Dim][Dim], bond[Dim], velocity[Dim], crowding[Dim];
   for (int a = 0; a < Dim; ++a) {
     bond[a] = velocity[a] = crowding[a] = zero;
     for (int b = 0; b < Dim; ++b) {
       shape[a][b] = gradient[a][b] = zero;
     }
   }
-  Lanes density = zero, length = zero, count = zero, closest = spread(1e200);
+  Quad density = zero, length = zero, count = zero, closest = all(1e200);
   for (Index k = families.begin(point); k < families.padded_end(point); k += lanes::width) {
     const double* r0 = rows + neighbours[k] * row_size;
     const double* r1 = rows + neighbours[k + 1] * row_size;
     const double* r2 = rows + neighbours[k + 2] * row_size;
     const double* r3 = rows + neighbours[k + 3] * row_size;
-    Lanes x[4] = {lanes::load(r0), lanes::load(r1), lanes::load(r2), lanes::load(r3)};
-    Lanes u[4] = {lanes::load(r0 + 4), lanes::load(r1 + 4), lanes::load(r2 + 4),
-                  lanes::load(r3 + 4)};
+    Quad x[4] = {load_quad(r0), load_quad(r1), load_quad(r2), load_quad(r3)};
+    Quad u[4] = {load_quad(r0 + 4), load_quad(r1 + 4), load_quad(r2 + 4), load_quad(r3 + 4)};
     lanes::transpose(x[0], x[1], x[2], x[3]);
     lanes::transpose(u[0], u[1], u[2], u[3]);
-    Lanes squared = zero;
+    Quad squared = zero;
     for (int d = 0; d < Dim; ++d) {
-      x[d] -= spread(own[d]);
-      u[d] -= spread(own[4 + d]);
+      x[d] -= all(own[d]);
+      u[d] -= all(own[4 + d]);
       squared = multiply_add(x[d], x[d], squared);
     }
-    const Lanes r = lanes::square_root(squared);
-    const Lanes w = weight(squared, r) * x[3];
-    lanes::store(weights + k, w);
-    density = multiply_add(w, u[3] - spread(own[7]), density);
+    const Quad r = square_root(squared);
+    const Quad w = weight(squared, r) * x[3];
+    store_quad(weights + k, w);
+    density = multiply_add(w, u[3] - all(own[7]), density);
     const lanes::LaneMask counts = (squared < within) & (squared > tiny);
-    const Lanes inverse = lanes::choose(counts, one / squared, zero);
-    const Lanes present = lanes::choose(counts, one, zero);
-    const Lanes push = inverse * inverse * r;
+    const Quad inverse = lanes::choose(counts, one / squared, zero);
+    const Quad present = lanes::choose(counts, one, zero);
+    const Quad push = inverse * inverse * r;
     count += present;
     length = multiply_add(present, r, length);
-    const Lanes candidate = lanes::choose(squared > tiny, squared, spread(1e200));
+    const Quad candidate = lanes::choose(squared > tiny, squared, all(1e200));
     closest = lanes::choose(candidate < closest, candidate, closest);
     for (int a = 0; a < Dim; ++a) {
-      const Lanes wa = w * x[a];
+      const Quad wa = w * x[a];
       bond[a] += wa;
       velocity[a] = multiply_add(w, u[a], velocity[a]);
       crowding[a] = multiply_add(push, x[a], crowding[a]);

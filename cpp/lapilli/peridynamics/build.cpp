@@ -1,8 +1,10 @@
 #include "lapilli/peridynamics/build.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <string>
 #include <type_traits>
 
+#include "lapilli/core/allowed.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/peridynamics/flow.hpp"
 #include "lapilli/peridynamics/heat.hpp"
@@ -17,10 +19,7 @@ struct CheckRanges {
   template <class Member>
   void operator()(const Key& key, const Member& value) const {
     if constexpr (std::is_same_v<Member, double>) {
-      const bool above = key.open ? value > key.least : value >= key.least;
-      require(std::isfinite(value) && above && value <= key.most, where, ".", key.name, " is ",
-              value, " ", key.of_unit, ", allowed: ", key.open ? "above " : "from ", key.least,
-              " to ", key.most);
+      check_range(key, value, where);
     }
   }
 };
@@ -55,7 +54,7 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
           scene.spacing);
   double horizon = 0.0;
   if (scene.heat) {
-    CheckRanges check{"heat"};
+    const CheckRanges check{"heat"};
     check_horizon("thermal", scene.heat->horizon, scene.spacing);
     PeridynamicHeatSettings::describe(*scene.heat, check);
     require(!scene.heat->dissipation || scene.flow,
@@ -63,7 +62,7 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
     horizon = scene.heat->horizon * scene.spacing;
   }
   if (scene.flow) {
-    CheckRanges check{"flow"};
+    const CheckRanges check{"flow"};
     check_horizon("fluid", scene.flow->horizon, scene.spacing);
     PeridynamicFlowSettings::describe(*scene.flow, check);
     require(scene.heat || scene.flow->buoyancy == Buoyancy::full || scene.flow->expansion == 0.0,

@@ -10,10 +10,7 @@
 namespace lapilli {
 namespace {
 
-using lanes::Lanes;
 using lanes::multiply_add;
-using lanes::spread;
-using lanes::store;
 
 constexpr Index piece = 256;   // points handed to a thread at once
 constexpr Index row_size = 8;  // doubles
@@ -147,20 +144,20 @@ void Conduction<Dim>::weigh() {
   const std::int32_t* neighbours = families_.neighbours();
   over_points(points_.size(), [&](Index i) {
     const double* own = rows_.data() + i * row_size;
-    const Lanes x = spread(own[0]), y = spread(own[1]), z = spread(own[2]);
-    Lanes moment = spread(0.0);
+    const Quad x = all(own[0]), y = all(own[1]), z = all(own[2]);
+    Quad moment = all(0.0);
     for (Index k = families_.begin(i); k < families_.padded_end(i); k += lanes::width) {
-      Lanes a = lanes::load(rows_.data() + neighbours[k] * row_size);
-      Lanes b = lanes::load(rows_.data() + neighbours[k + 1] * row_size);
-      Lanes c = lanes::load(rows_.data() + neighbours[k + 2] * row_size);
-      Lanes v = lanes::load(rows_.data() + neighbours[k + 3] * row_size);
+      Quad a = load_quad(rows_.data() + neighbours[k] * row_size);
+      Quad b = load_quad(rows_.data() + neighbours[k + 1] * row_size);
+      Quad c = load_quad(rows_.data() + neighbours[k + 2] * row_size);
+      Quad v = load_quad(rows_.data() + neighbours[k + 3] * row_size);
       lanes::transpose(a, b, c, v);
       a -= x;
       b -= y;
       c -= z;
-      const Lanes squared = a * a + b * b + c * c;
-      const Lanes w = weight(squared, lanes::square_root(squared)) * v;
-      store(bond_weight_.data() + k, w);
+      const Quad squared = a * a + b * b + c * c;
+      const Quad w = weight(squared, square_root(squared)) * v;
+      store_quad(bond_weight_.data() + k, w);
       moment = multiply_add(w, squared, moment);
     }
     if (!corrected_) {
@@ -201,33 +198,33 @@ void Conduction<Dim>::balance(double damping) {
       return;
     }
     const double* own = rows_.data() + i * row_size;
-    const Lanes x = spread(own[0]), y = spread(own[1]), z = spread(own[2]);
-    const Lanes lx = spread(own[4]), ly = spread(own[5]), lz = spread(own[6]);
-    const Lanes c_own = spread(own[7]);
-    const Lanes scale = spread(half_conductivity * own[3]);
-    const Lanes bound = spread(0.8);
-    Lanes out_x = spread(0.0), out_y = out_x, out_z = out_x, moment = out_x;
+    const Quad x = all(own[0]), y = all(own[1]), z = all(own[2]);
+    const Quad lx = all(own[4]), ly = all(own[5]), lz = all(own[6]);
+    const Quad c_own = all(own[7]);
+    const Quad scale = all(half_conductivity * own[3]);
+    const Quad bound = all(0.8);
+    Quad out_x = all(0.0), out_y = out_x, out_z = out_x, moment = out_x;
     for (Index k = families_.begin(i); k < families_.padded_end(i); k += lanes::width) {
       const std::int32_t* j = neighbours + k;
-      Lanes a = lanes::load(rows_.data() + j[0] * row_size),
-            al = lanes::load(rows_.data() + j[0] * row_size + 4);
-      Lanes b = lanes::load(rows_.data() + j[1] * row_size),
-            bl = lanes::load(rows_.data() + j[1] * row_size + 4);
-      Lanes c = lanes::load(rows_.data() + j[2] * row_size),
-            cl = lanes::load(rows_.data() + j[2] * row_size + 4);
-      Lanes v = lanes::load(rows_.data() + j[3] * row_size),
-            vl = lanes::load(rows_.data() + j[3] * row_size + 4);
+      Quad a = load_quad(rows_.data() + j[0] * row_size),
+           al = load_quad(rows_.data() + j[0] * row_size + 4);
+      Quad b = load_quad(rows_.data() + j[1] * row_size),
+           bl = load_quad(rows_.data() + j[1] * row_size + 4);
+      Quad c = load_quad(rows_.data() + j[2] * row_size),
+           cl = load_quad(rows_.data() + j[2] * row_size + 4);
+      Quad v = load_quad(rows_.data() + j[3] * row_size),
+           vl = load_quad(rows_.data() + j[3] * row_size + 4);
       lanes::transpose(a, b, c, v);
       lanes::transpose(al, bl, cl, vl);
       a -= x;
       b -= y;
       c -= z;
-      Lanes tilt = (lx - al) * a + (ly - bl) * b + (lz - cl) * c;
+      Quad tilt = (lx - al) * a + (ly - bl) * b + (lz - cl) * c;
       tilt = lanes::choose(tilt > bound, bound, lanes::choose(tilt < -bound, -bound, tilt));
-      const Lanes w = lanes::load(bond_weight_.data() + k) * (spread(1.0) + tilt);
+      const Quad w = load_quad(bond_weight_.data() + k) * (all(1.0) + tilt);
       moment = multiply_add(w, a * a + b * b + c * c, moment);
-      const Lanes s = w * (c_own + vl);
-      store(conductance_.data() + k, s * scale);
+      const Quad s = w * (c_own + vl);
+      store_quad(conductance_.data() + k, s * scale);
       out_x = multiply_add(s, a, out_x);
       out_y = multiply_add(s, b, out_y);
       out_z = multiply_add(s, c, out_z);

@@ -42,32 +42,31 @@ class BondWeightLanes {
  public:
   explicit BondWeightLanes(const BondWeight& weight)
       : influence_(weight.influence),
-        horizon_squared_(spread(weight.horizon * weight.horizon)),
-        rate_(spread(-4.0 / (weight.horizon * weight.horizon))),
-        share_offset_(
-            spread(weight.volume_correction ? weight.horizon / weight.spacing + 0.5 : 1.0)),
-        share_slope_(spread(weight.volume_correction ? -1.0 / weight.spacing : 0.0)),
-        half_inverse_(spread(2.0 / weight.horizon)) {}
+        horizon_squared_(all(weight.horizon * weight.horizon)),
+        rate_(all(-4.0 / (weight.horizon * weight.horizon))),
+        share_offset_(all(weight.volume_correction ? weight.horizon / weight.spacing + 0.5 : 1.0)),
+        share_slope_(all(weight.volume_correction ? -1.0 / weight.spacing : 0.0)),
+        half_inverse_(all(2.0 / weight.horizon)) {}
 
-  [[gnu::always_inline]] Lanes operator()(const Lanes& squared, const Lanes& length) const {
-    const Lanes one = spread(1.0);
-    Lanes share = multiply_add(length, share_slope_, share_offset_);
+  [[gnu::always_inline]] Quad operator()(const Quad& squared, const Quad& length) const {
+    const Quad one = all(1.0);
+    Quad share = multiply_add(length, share_slope_, share_offset_);
     share = choose(share > one, one, share);
-    Lanes value = one;
+    Quad value = one;
     if (influence_ == Influence::gaussian) [[likely]] {
       value = exp_negative(squared * rate_);
     } else if (influence_ == Influence::spline) {
-      const Lanes q = length * half_inverse_;
-      const Lanes far = spread(2.0) - q;
-      const Lanes near = multiply_add(q * q, multiply_add(q, spread(0.75), spread(-1.5)), one);
-      value = choose(q < one, near, spread(0.25) * far * far * far);
+      const Quad q = length * half_inverse_;
+      const Quad far = all(2.0) - q;
+      const Quad near = multiply_add(q * q, multiply_add(q, all(0.75), all(-1.5)), one);
+      value = choose(q < one, near, all(0.25) * far * far * far);
     }
-    return choose(squared < horizon_squared_, value * share, spread(0.0));
+    return choose(squared < horizon_squared_, value * share, all(0.0));
   }
 
  private:
   Influence influence_;
-  Lanes horizon_squared_, rate_, share_offset_, share_slope_, half_inverse_;
+  Quad horizon_squared_, rate_, share_offset_, share_slope_, half_inverse_;
 };
 
 }  // namespace lanes

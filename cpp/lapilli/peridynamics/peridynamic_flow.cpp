@@ -399,7 +399,6 @@ void PeridynamicFlow<Dim>::add_zero_energy() {
 
 template <int Dim>
 void PeridynamicFlow<Dim>::accelerate() {
-  using lanes::Lanes;
   using lanes::multiply_add;
   const double* stress = stress_rows_.data();
   const std::int32_t* neighbours = families_.neighbours();
@@ -413,13 +412,13 @@ void PeridynamicFlow<Dim>::accelerate() {
       const double* own = stress + i * stress_size;
       Vec<Dim> force = force_[i];
       if constexpr (Dim == 3) {
-        const Lanes x = lanes::load(own + 12);
-        Lanes sum = lanes::spread(0.0);
+        const Quad x = load_quad(own + 12);
+        Quad sum = all(0.0);
         for (Index k = families_.begin(i); k < families_.end(i); ++k) {
           const double* other = stress + neighbours[k] * stress_size;
-          const Lanes bond = (lanes::load(other + 12) - x) * lanes::spread(weights[k]);
+          const Quad bond = (load_quad(other + 12) - x) * all(weights[k]);
           for (int d = 0; d < 3; ++d) {
-            sum = multiply_add(lanes::load(other + 4 * d), lanes::spread(bond[d]), sum);
+            sum = multiply_add(load_quad(other + 4 * d), all(bond[d]), sum);
           }
         }
         for (int d = 0; d < 3; ++d) {
@@ -427,15 +426,14 @@ void PeridynamicFlow<Dim>::accelerate() {
           force += bond_sum_[i][d] * Eigen::Map<const Vec<3>>(own + 4 * d);
         }
       } else {
-        const Lanes x = lanes::load(own + 4);
-        Lanes even = lanes::spread(0.0), odd = even;
+        const Quad x = load_quad(own + 4);
+        Quad even = all(0.0), odd = even;
         for (Index k = families_.begin(i); k < families_.padded_end(i); k += 2) {
           const double* first = stress + neighbours[k] * stress_size;
           const double* second = stress + neighbours[k + 1] * stress_size;
-          even = multiply_add(lanes::load(first),
-                              (lanes::load(first + 4) - x) * lanes::spread(weights[k]), even);
-          odd = multiply_add(lanes::load(second),
-                             (lanes::load(second + 4) - x) * lanes::spread(weights[k + 1]), odd);
+          even = multiply_add(load_quad(first), (load_quad(first + 4) - x) * all(weights[k]), even);
+          odd = multiply_add(load_quad(second), (load_quad(second + 4) - x) * all(weights[k + 1]),
+                             odd);
         }
         even += odd;
         for (int d = 0; d < Dim; ++d) {

@@ -28,8 +28,7 @@ Measured measure(Case& run, double begin, double end) {
   for (int look = 1; look <= looks; ++look) {
     run.simulation->run_until(begin + (end - begin) * look / looks);
     run.simulation->fields();
-    mean.volume +=
-        volume_mean_nusselt(run.points(), *run.flow, *run.heat, 0, {1, 1}) / looks;
+    mean.volume += volume_mean_nusselt(run.points(), *run.flow, *run.heat, 0, {1, 1}) / looks;
     const auto values = run.flow->velocity().values();
     for (int k = 3; k < 197; ++k) {
       const double s = k / 200.0;
