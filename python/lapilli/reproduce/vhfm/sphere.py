@@ -53,9 +53,9 @@ def error_of(state: State) -> float:
     return rms(state.temperature - exact_solution().temperature(radius, state.time))
 
 
-def errors(scene: Scene, times: tuple[float, ...], late: float = 0.0) -> list[float]:
+def errors(scene: Scene, times: tuple[float, ...]) -> list[float]:
     """RMSE at these times, K."""
-    return [error_of(state) for state in states(scene, times, late=late)]
+    return [error_of(state) for state in states(scene, times)]
 
 
 def area_share(scene: Scene) -> float:
@@ -99,14 +99,15 @@ def default_rows(points_per_cell: int, times: tuple[float, ...]) -> list[Row]:
 def literal_rows(points_per_cell: int) -> list[Row]:
     """The paper's algorithm. More points a cell make it worse, which the paper denies.
 
-    The area holds the operator to an independent implementation. Its errors are only reported: the
-    two differ by up to a fifth in the first seconds, alike from 5 s on, and the paper has no table.
+    Looked at in time: the paper has no table here that could show a late look, and the independent
+    implementation has none either. One step of 0.01 s is a fifth of the error at 0.5 s.
     """
     scene = literal(sphere_scene(points_per_cell), STEP)
     setting = f"literal, {points_per_cell} points a cell, h = 0.2 m"
     rows = []
-    for k, found in enumerate(errors(scene, TIMES, late=STEP)):
+    for k, found in enumerate(errors(scene, TIMES)):
         reference = LITERAL_ERRORS[points_per_cell][k]
+        bar, ok = quotient_within(found, reference, 0.01)
         rows.append(
             Row(
                 case=NAME,
@@ -116,8 +117,8 @@ def literal_rows(points_per_cell: int) -> list[Row]:
                 paper=None,
                 reference=reference,
                 lapilli=found,
-                bar="none: reported",
-                ok=True,
+                bar=bar,
+                ok=ok,
             )
         )
     return [*rows, area_row(setting, scene, LITERAL_AREA[points_per_cell])]
