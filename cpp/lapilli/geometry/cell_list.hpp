@@ -22,6 +22,8 @@ class CellList {
   Index size() const { return static_cast<Index>(row_.size()); }
   int dimension() const { return dimension_; }
   double bin_size() const { return bin_size_; }
+  /// All rows, bin by bin: an order in which neighbours lie close together.
+  std::span<const Index> order() const { return row_; }
 
   /// Call visit(row, squared distance) for each point with |x - point| <= radius, bin by bin and in
   /// ascending rows within a bin; coordinates of `x` past the dimension do not count.

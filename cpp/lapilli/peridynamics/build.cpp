@@ -1,0 +1,102 @@
+#include "lapilli/peridynamics/build.hpp"
+
+#include <algorithm>
+#include <string>
+#include <type_traits>
+
+#include "lapilli/core/allowed.hpp"
+#include "lapilli/core/require.hpp"
+#include "lapilli/peridynamics/flow.hpp"
+#include "lapilli/peridynamics/heat.hpp"
+
+namespace lapilli {
+namespace {
+
+/// Visitor that holds every number to the range its key allows.
+struct CheckRanges {
+  std::string where;
+
+  template <class Member>
+  void operator()(const Key& key, const Member& value) const {
+    if constexpr (std::is_same_v<Member, double>) {
+      check_range(key, value, where);
+    }
+  }
+};
+
+void check_horizon(const char* name, double horizon, double spacing) {
+  require(horizon > 1.0, "the ", name, " horizon of ", horizon * spacing,
+          " m is not above the spacing of ", spacing, " m: no point would have a family");
+}
+
+void check_walls(const PeridynamicScene& scene, int dimension) {
+  for (const Wall& wall : scene.walls) {
+    const WallSettings& settings = wall.settings;
+    require(!settings.temperature.is_function() && !settings.flux.is_function(), "wall '",
+            settings.name, "': temperature and flux of a wall are numbers or tables in time");
+    require(settings.heat != WallHeat::convection || settings.coefficient > 0.0, "wall '",
+            settings.name, "' has convection with a coefficient of ", settings.coefficient,
+            " W/(m^2 K), which must be above 0");
+    for (int d = dimension; d < 3; ++d) {
+      require(settings.velocity[d] == 0.0, "wall '", settings.name, "' has a velocity of ",
+              settings.velocity[d], " m/s along axis ", d, " of a scene of dimension ", dimension);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
+                                                         const PeridynamicScene& scene) {
+  require(scene.heat || scene.flow,
+          "a peridynamic scene models heat, flow or both; this one has neither section");
+  const Fluid& fluid = scene.fluid;
+  require(scene.spacing > 0.0, "the spacing of peridynamic points must be above 0 m, got ",
+          scene.spacing);
+  double horizon = 0.0;
+  if (scene.heat) {
+    const CheckRanges ranges{"heat"};
+    check_horizon("thermal", scene.heat->horizon, scene.spacing);
+    PeridynamicHeatSettings::describe(*scene.heat, ranges);
+    check(fluid.thermal);
+    require(fluid.thermal.conductivity.is_scalar(),
+            "peridynamic heat conducts alike in all directions: give conductivity as a number");
+    require(!scene.heat->dissipation || scene.flow,
+            "heat.dissipation needs a flow; this scene has none");
+    horizon = scene.heat->horizon * scene.spacing;
+  }
+  if (scene.flow) {
+    const CheckRanges ranges{"flow"};
+    check_horizon("fluid", scene.flow->horizon, scene.spacing);
+    PeridynamicFlowSettings::describe(*scene.flow, ranges);
+    check(fluid.newtonian);
+    require(scene.heat || fluid.newtonian.expansion == 0.0,
+            "expansion of the newtonian material is given, but the scene has no heat");
+    require(!scene.heat || fluid.thermal.density == fluid.newtonian.density,
+            "the fluid has two densities: ", fluid.thermal.density, " of the thermal and ",
+            fluid.newtonian.density, " kg/m^3 of the newtonian material");
+    horizon = std::max(horizon, scene.flow->horizon * scene.spacing);
+  }
+  check_walls(scene, points.dimension());
+
+  auto walls = std::make_shared<WallSurface>(points, scene.walls, scene.region, scene.spacing);
+  walls->require_thickness(horizon);
+  std::vector<std::unique_ptr<Physics>> physics;
+  PeridynamicHeat* heat = nullptr;
+  if (scene.heat) {
+    auto made = std::make_unique<PeridynamicHeat>(points, walls, *scene.heat, fluid);
+    heat = made.get();
+    physics.push_back(std::move(made));
+  }
+  if (scene.flow) {
+    auto made =
+        make_flow(points, walls, *scene.flow, fluid, heat, scene.heat && scene.heat->dissipation);
+    if (heat != nullptr) {
+      heat->heat_by(made->dissipation());
+    }
+    physics.push_back(std::move(made));
+  }
+  return physics;
+}
+
+}  // namespace lapilli

@@ -1,0 +1,321 @@
+#include "lapilli/peridynamics/conductances.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/parallel.hpp"
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+namespace {
+
+using lanes::multiply_add;
+
+constexpr Index piece = 256;   // points handed to a thread at once
+constexpr Index row_size = 8;  // doubles
+constexpr int sweeps_at_rest = 200;
+constexpr double sweep_damping = 0.7;
+
+template <class Body>
+void over_points(Index rows, const Body& body) {
+  parallel_tasks((rows + piece - 1) / piece, [&](Index task) {
+    for (Index row = task * piece; row < std::min(rows, (task + 1) * piece); ++row) {
+      body(row);
+    }
+  });
+}
+
+std::vector<FamilyRole> roles_of(const WallSurface& walls) {
+  std::vector<FamilyRole> roles;
+  for (Index body = 0; body < walls.bodies(); ++body) {
+    const bool wall = walls.wall_of_body(body) >= 0;
+    roles.push_back({wall ? Member::neighbour : Member::owner, wall});
+  }
+  return roles;
+}
+
+}  // namespace
+
+template <int Dim>
+Conductances<Dim>::Conductances(Points& points, const WallSurface& walls,
+                                const PeridynamicHeatSettings& settings, double conductivity)
+    : points_(points),
+      walls_(walls),
+      conductivity_(conductivity),
+      weight_{settings.influence, settings.horizon * walls.spacing(), walls.spacing(), true},
+      lattice_constant_(2.0 / lattice_moment(Dim, weight_)),
+      corrected_(settings.laplacian == Laplacian::corrected),
+      families_(points, weight_.horizon, settings.skin * walls.spacing(), roles_of(walls)),
+      insulation_(points, walls, families_),
+      correction_(points, Dim),
+      normaliser_(points, 1, lattice_constant_),
+      rows_(static_cast<std::size_t>(points.size()) * row_size, 0.0),
+      images_(static_cast<std::size_t>((points.size() + piece - 1) / piece)),
+      image_begin_(static_cast<std::size_t>(points.size()) + 1, 0) {}
+
+template <int Dim>
+bool Conductances<Dim>::update() {
+  if (version_ == points_.version() && ordering_ == points_.ordering()) {
+    return false;
+  }
+  weigh_bonds();
+  for (int sweep = 0; sweep < sweeps_at_rest && first_ && corrected_; ++sweep) {
+    balance(sweep_damping);
+  }
+  // Points that move keep the correction of the step before and improve it by one sweep.
+  balance(corrected_ && !first_ && !keep_correction_ ? sweep_damping : 0.0);
+  version_ = points_.version();
+  ordering_ = points_.ordering();
+  first_ = keep_correction_ = false;
+  return true;
+}
+
+template <int Dim>
+void Conductances<Dim>::refresh() {
+  if (first_ || version_ != points_.version() || ordering_ != points_.ordering()) {
+    weigh_bonds();
+    balance(0.0);
+  }
+}
+
+template <int Dim>
+void Conductances<Dim>::weigh_bonds() {
+  families_.update();
+  gather_rows();
+  find_images();
+  weigh();
+}
+
+template <int Dim>
+void Conductances<Dim>::gather_rows() {
+  const auto position = points_.position();
+  const auto volume = points_.volume();
+  over_points(points_.size(), [&](Index i) {
+    double* row = rows_.data() + i * row_size;
+    for (int d = 0; d < Dim; ++d) {
+      row[d] = position[i * Dim + d];
+      row[4 + d] = correction_[i * Dim + d];
+    }
+    const int wall = walls_.wall(i);
+    const bool adiabatic = wall >= 0 && walls_.walls()[wall].settings.heat == WallHeat::adiabatic;
+    row[3] = adiabatic ? 0.0 : volume[i];
+    row[7] = normaliser_[i];
+  });
+}
+
+template <int Dim>
+void Conductances<Dim>::find_images() {
+  if (!corrected_) {
+    return;
+  }
+  insulation_.find();
+  parallel_tasks(static_cast<Index>(images_.size()), [&](Index task) {
+    std::vector<Image>& found = images_[static_cast<std::size_t>(task)];
+    found.clear();
+    for (Index i = task * piece; i < std::min(points_.size(), (task + 1) * piece); ++i) {
+      image_begin_[static_cast<std::size_t>(i)] = static_cast<Index>(found.size());
+      if (families_.owns(i) && insulation_.near(i)) {
+        insulation_.images(i, weight_.horizon, found);
+      }
+    }
+  });
+}
+
+template <int Dim>
+std::span<const typename Insulation<Dim>::Image> Conductances<Dim>::images(Index point) const {
+  const auto& found = images_[static_cast<std::size_t>(point / piece)];
+  const bool last = point + 1 == points_.size() || (point + 1) % piece == 0;
+  const auto begin = static_cast<std::size_t>(image_begin_[static_cast<std::size_t>(point)]);
+  const auto end =
+      last ? found.size()
+           : static_cast<std::size_t>(image_begin_[static_cast<std::size_t>(point) + 1]);
+  return std::span(found).subspan(begin, end - begin);
+}
+
+template <int Dim>
+void Conductances<Dim>::weigh() {
+  bond_weight_.resize(static_cast<std::size_t>(families_.bonds()));
+  const lanes::BondWeightLanes weight(weight_);
+  const std::int32_t* neighbours = families_.neighbours();
+  over_points(points_.size(), [&](Index i) {
+    const double* own = rows_.data() + i * row_size;
+    const Quad x = all(own[0]), y = all(own[1]), z = all(own[2]);
+    Quad moment = all(0.0);
+    for (Index k = families_.begin(i); k < families_.padded_end(i); k += lanes::width) {
+      Quad a = load_quad(rows_.data() + neighbours[k] * row_size);
+      Quad b = load_quad(rows_.data() + neighbours[k + 1] * row_size);
+      Quad c = load_quad(rows_.data() + neighbours[k + 2] * row_size);
+      Quad v = load_quad(rows_.data() + neighbours[k + 3] * row_size);
+      lanes::transpose(a, b, c, v);
+      a -= x;
+      b -= y;
+      c -= z;
+      const Quad squared = a * a + b * b + c * c;
+      const Quad w = weight(squared, square_root(squared)) * v;
+      store_quad(bond_weight_.data() + k, w);
+      moment = multiply_add(w, squared, moment);
+    }
+    if (!corrected_) {
+      return;
+    }
+    double total = lanes::sum(moment);
+    if (insulation_.near(i)) {
+      for (Index k = families_.wall_begin(i); k < families_.end(i); ++k) {
+        if (bond_weight_[k] != 0.0 && insulation_.hides(i, neighbours[k])) {
+          double squared = 0.0;
+          for (int d = 0; d < Dim; ++d) {
+            squared += std::pow(rows_[neighbours[k] * row_size + d] - own[d], 2);
+          }
+          total -= bond_weight_[k] * squared;
+          bond_weight_[k] = 0.0;
+        }
+      }
+      for (const Image& image : images(i)) {
+        total += image_weight(image, i) * image.squared;
+      }
+    }
+    if (first_ && total > 0.0) {
+      normaliser_[i] = 2.0 * Dim / total;
+    }
+  });
+  if (first_) {
+    over_points(points_.size(), [&](Index i) { rows_[i * row_size + 7] = normaliser_[i]; });
+  }
+}
+
+template <int Dim>
+void Conductances<Dim>::balance(double damping) {
+  conductance_.resize(bond_weight_.size());
+  const std::int32_t* neighbours = families_.neighbours();
+  const double half_conductivity = 0.5 * conductivity_;
+  over_points(points_.size(), [&](Index i) {
+    if (!families_.owns(i)) {
+      return;
+    }
+    const double* own = rows_.data() + i * row_size;
+    const Quad x = all(own[0]), y = all(own[1]), z = all(own[2]);
+    const Quad lx = all(own[4]), ly = all(own[5]), lz = all(own[6]);
+    const Quad c_own = all(own[7]);
+    const Quad scale = all(half_conductivity * own[3]);
+    const Quad bound = all(0.8);
+    Quad out_x = all(0.0), out_y = out_x, out_z = out_x, moment = out_x;
+    for (Index k = families_.begin(i); k < families_.padded_end(i); k += lanes::width) {
+      const std::int32_t* j = neighbours + k;
+      Quad a = load_quad(rows_.data() + j[0] * row_size),
+           al = load_quad(rows_.data() + j[0] * row_size + 4);
+      Quad b = load_quad(rows_.data() + j[1] * row_size),
+           bl = load_quad(rows_.data() + j[1] * row_size + 4);
+      Quad c = load_quad(rows_.data() + j[2] * row_size),
+           cl = load_quad(rows_.data() + j[2] * row_size + 4);
+      Quad v = load_quad(rows_.data() + j[3] * row_size),
+           vl = load_quad(rows_.data() + j[3] * row_size + 4);
+      lanes::transpose(a, b, c, v);
+      lanes::transpose(al, bl, cl, vl);
+      a -= x;
+      b -= y;
+      c -= z;
+      Quad tilt = (lx - al) * a + (ly - bl) * b + (lz - cl) * c;
+      tilt = lanes::choose(tilt > bound, bound, lanes::choose(tilt < -bound, -bound, tilt));
+      const Quad w = load_quad(bond_weight_.data() + k) * (all(1.0) + tilt);
+      moment = multiply_add(w, a * a + b * b + c * c, moment);
+      const Quad s = w * (c_own + vl);
+      store_quad(conductance_.data() + k, s * scale);
+      out_x = multiply_add(s, a, out_x);
+      out_y = multiply_add(s, b, out_y);
+      out_z = multiply_add(s, c, out_z);
+    }
+    double out[3] = {lanes::sum(out_x), lanes::sum(out_y), lanes::sum(out_z)};
+    double total = lanes::sum(moment);
+    if (corrected_ && insulation_.near(i)) {
+      total += add_images(i, out);
+    }
+    // The sweep divides by the diagonal block, sum of s Y Y = 4 on a full lattice.
+    for (int d = 0; d < Dim; ++d) {
+      correction_[i * Dim + d] = own[4 + d] - damping * 0.25 * out[d];
+    }
+    if (damping > 0.0 && total > 0.0) {
+      normaliser_[i] = 2.0 * Dim / total;
+    }
+  });
+  if (damping > 0.0) {
+    over_points(points_.size(), [&](Index i) {
+      for (int d = 0; d < Dim; ++d) {
+        rows_[i * row_size + 4 + d] = correction_[i * Dim + d];
+      }
+      rows_[i * row_size + 7] = normaliser_[i];
+    });
+  }
+}
+
+template <int Dim>
+double Conductances<Dim>::image_weight(const Image& image, Index owner) const {
+  const Index of = image.bond < 0 ? owner : families_.neighbour(image.bond);
+  return weight_(std::sqrt(image.squared)) * rows_[of * row_size + 3];
+}
+
+template <int Dim>
+double Conductances<Dim>::add_images(Index i, double* out) {
+  const double* own = rows_.data() + i * row_size;
+  double moment = 0.0;
+  for (const Image& image : images(i)) {
+    const Index j = image.bond < 0 ? i : families_.neighbour(image.bond);
+    const double w = image_weight(image, i);
+    const double s = w * (own[7] + rows_[j * row_size + 7]);
+    if (image.bond >= 0) {
+      conductance_[image.bond] += 0.5 * conductivity_ * s * own[3];
+    }
+    for (int d = 0; d < Dim; ++d) {
+      out[d] += s * image.to[d];
+    }
+    moment += w * image.squared;
+  }
+  return moment;
+}
+
+template <int Dim>
+double Conductances<Dim>::imbalance() const {
+  double largest = 0.0;
+  for (Index i = 0; i < points_.size(); ++i) {
+    if (!families_.owns(i) || families_.wall_begin(i) < families_.end(i)) {
+      continue;
+    }
+    Vec<Dim> out = Vec<Dim>::Zero();
+    double scale = 0.0;
+    for (Index k = families_.begin(i); k < families_.end(i); ++k) {
+      const Vec<Dim> bond =
+          points_.position<Dim>(families_.neighbour(k)) - points_.position<Dim>(i);
+      out += conductance_[k] * bond;
+      scale += conductance_[k] * bond.norm();
+    }
+    if (scale > 0.0) {
+      largest = std::max(largest, out.norm() / scale);
+    }
+  }
+  return largest;
+}
+
+template <int Dim>
+void Conductances<Dim>::save(Archive& archive) const {
+  families_.save(archive, "heat/families");
+  archive.write("heat/correction", correction_.values());
+  archive.write("heat/normaliser", normaliser_.values());
+  archive.write("heat/weighed", static_cast<Index>(first_ ? 0 : 1));
+  archive.write("heat/at_rest", static_cast<Index>(version_ == points_.version() ? 1 : 0));
+}
+
+template <int Dim>
+void Conductances<Dim>::load(const Archive& archive) {
+  families_.load(archive, "heat/families");
+  archive.read("heat/correction", correction_.values());
+  archive.read("heat/normaliser", normaliser_.values());
+  first_ = archive.read_index("heat/weighed") == 0;
+  // Points at rest keep the conductances of their one search.
+  keep_correction_ = archive.read_index("heat/at_rest") == 1;
+  version_ = -1;
+}
+
+template class Conductances<1>;
+template class Conductances<2>;
+template class Conductances<3>;
+
+}  // namespace lapilli

@@ -1,0 +1,187 @@
+#include "lapilli/peridynamics/conduction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/parallel.hpp"
+
+namespace lapilli {
+namespace {
+
+constexpr Index piece = 256;  // points handed to a thread at once
+
+}  // namespace
+
+template <int Dim>
+Conduction<Dim>::Conduction(Points& points, const WallSurface& walls,
+                            const PeridynamicHeatSettings& settings, double conductivity)
+    : points_(points),
+      walls_(walls),
+      conductivity_(conductivity),
+      bonds_(points, walls, settings, conductivity),
+      bond_area_(walls.walls().size(), 0.0),
+      wall_area_(walls.walls().size(), 0.0) {
+  for (const Wall& wall : walls.walls()) {
+    areas_matter_ |=
+        wall.settings.heat == WallHeat::flux || wall.settings.heat == WallHeat::convection;
+  }
+}
+
+template <int Dim>
+void Conduction<Dim>::update() {
+  const bool first = bonds_.first();
+  if (!bonds_.update()) {
+    return;
+  }
+  if (first || areas_matter_) {
+    measure_walls();
+  }
+  if (first) {
+    wall_area_ = bond_area_;
+  }
+}
+
+template <int Dim>
+void Conduction<Dim>::refresh() {
+  const bool first = bonds_.first();
+  bonds_.refresh();
+  if (first) {
+    measure_walls();
+    wall_area_ = bond_area_;
+  }
+}
+
+template <int Dim>
+template <class Body>
+void Conduction<Dim>::for_wall_bonds(Index point, const Body& body) const {
+  const double least = 0.1 * walls_.spacing();
+  for (Index bond = families().wall_begin(point); bond < families().end(point); ++bond) {
+    if (bonds_[bond] == 0.0) {
+      continue;
+    }
+    const Index j = families().neighbour(bond);
+    const double ahead = std::max(least, walls_.template distance<Dim>(position(point), j));
+    const double area = bonds_[bond] * (ahead + walls_.depth(j)) / conductivity_;
+    body(WallBond{walls_.wall(j), area, ahead});
+  }
+}
+
+template <int Dim>
+void Conduction<Dim>::measure_walls() {
+  std::fill(bond_area_.begin(), bond_area_.end(), 0.0);
+  for (Index i = 0; i < points_.size(); ++i) {
+    if (families().owns(i) && families().wall_begin(i) < families().end(i)) {
+      for_wall_bonds(i, [&](const WallBond& bond) { bond_area_[bond.wall] += bond.area; });
+    }
+  }
+}
+
+template <int Dim>
+double Conduction<Dim>::flux_through(const WallBond& bond, const WallState& state,
+                                     double temperature) const {
+  const WallSettings& wall = walls_.walls()[bond.wall].settings;
+  switch (wall.heat) {
+    case WallHeat::temperature:
+      return conductivity_ * (state.temperature - temperature) / bond.distance;
+    case WallHeat::flux:
+      return state.flux;
+    case WallHeat::convection:
+      return wall.coefficient > 0.0 ? (state.temperature - temperature) /
+                                          (bond.distance / conductivity_ + 1.0 / wall.coefficient)
+                                    : 0.0;
+    case WallHeat::adiabatic:
+      break;
+  }
+  return 0.0;
+}
+
+template <int Dim>
+void Conduction<Dim>::rates(const double* temperature, const std::vector<WallState>& surface,
+                            double* rate, std::vector<double>& from_walls) const {
+  const std::int32_t* neighbours = families().neighbours();
+  const auto walls = static_cast<Index>(surface.size());
+  const Index tasks = (points_.size() + piece - 1) / piece;
+  std::vector<double> partial(static_cast<std::size_t>(tasks * walls), 0.0);
+  // Prescribed fluxes bring in flux times the area of the wall, however the bonds lie.
+  std::vector<double> share(surface.size(), 1.0);
+  for (Index k = 0; k < walls; ++k) {
+    const WallHeat kind = walls_.walls()[k].settings.heat;
+    if ((kind == WallHeat::flux || kind == WallHeat::convection) && bond_area_[k] > 0.0) {
+      share[k] = wall_area_[k] / bond_area_[k];
+    }
+  }
+  parallel_tasks(tasks, [&](Index task) {
+    for (Index i = task * piece; i < std::min(points_.size(), (task + 1) * piece); ++i) {
+      rate[i] = 0.0;
+      if (!families().owns(i)) {
+        continue;
+      }
+      const double own = temperature[i];
+      double sum = 0.0;
+      for (Index k = families().begin(i); k < families().wall_begin(i); ++k) {
+        sum += bonds_[k] * (temperature[neighbours[k]] - own);
+      }
+      if (families().wall_begin(i) < families().end(i)) {
+        for_wall_bonds(i, [&](const WallBond& bond) {
+          const double heat =
+              share[bond.wall] * bond.area * flux_through(bond, surface[bond.wall], own);
+          partial[task * walls + bond.wall] += heat;
+          sum += heat;
+        });
+      }
+      rate[i] = sum;
+    }
+  });
+  from_walls.assign(surface.size(), 0.0);
+  for (Index task = 0; task < tasks; ++task) {
+    for (Index k = 0; k < walls; ++k) {
+      from_walls[k] += partial[task * walls + k];
+    }
+  }
+}
+
+template <int Dim>
+double Conduction<Dim>::wall_flux(int wall, const Vec3& place, double reach,
+                                  const double* temperature,
+                                  const std::vector<WallState>& surface) const {
+  double flux = 0.0, total = 0.0;
+  for (Index i = 0; i < points_.size(); ++i) {
+    if (!families().owns(i) || families().wall_begin(i) == families().end(i)) {
+      continue;
+    }
+    double squared = 0.0;
+    for (int d = 0; d < Dim; ++d) {
+      squared += std::pow(position(i)[d] - place[d], 2);
+    }
+    if (squared > 16.0 * reach * reach) {
+      continue;
+    }
+    for_wall_bonds(i, [&](const WallBond& bond) {
+      if (bond.wall == wall) {
+        const double across = squared - bond.distance * bond.distance;
+        const double w = bond.area * std::exp(-across / (reach * reach));
+        flux += w * flux_through(bond, surface[wall], temperature[i]);
+        total += w;
+      }
+    });
+  }
+  return total > 0.0 ? flux / total : 0.0;
+}
+
+template <int Dim>
+void Conduction<Dim>::save(Archive& archive) const {
+  bonds_.save(archive);
+  archive.write("heat/wall_area", wall_area_);
+}
+
+template <int Dim>
+void Conduction<Dim>::load(const Archive& archive) {
+  bonds_.load(archive);
+  archive.read("heat/wall_area", wall_area_);
+}
+
+template class Conduction<1>;
+template class Conduction<2>;
+template class Conduction<3>;
+
+}  // namespace lapilli

@@ -1,0 +1,171 @@
+#include "lapilli/peridynamics/families.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lapilli/core/parallel.hpp"
+#include "lapilli/core/require.hpp"
+#include "lapilli/geometry/cell_list.hpp"
+#include "lapilli/peridynamics/lanes.hpp"
+
+namespace lapilli {
+namespace {
+
+/// Points searched as one piece.
+constexpr Index search_rows = 512;
+
+template <int Dim>
+double squared_distance(const double* a, const double* b) {
+  double squared = 0.0;
+  for (int d = 0; d < Dim; ++d) {
+    squared += (a[d] - b[d]) * (a[d] - b[d]);
+  }
+  return squared;
+}
+
+double squared_distance(int dimension, const double* a, const double* b) {
+  switch (dimension) {
+    case 1:
+      return squared_distance<1>(a, b);
+    case 2:
+      return squared_distance<2>(a, b);
+    default:
+      return squared_distance<3>(a, b);
+  }
+}
+
+}  // namespace
+
+Families::Families(Points& points, double horizon, double skin, std::vector<FamilyRole> roles)
+    : points_(points),
+      horizon_(horizon),
+      skin_(skin),
+      roles_(std::move(roles)),
+      reference_(points, points.dimension()) {
+  require(points.size() < std::numeric_limits<std::int32_t>::max(),
+          "families index points with 32 bits, got ", points.size(), " points");
+}
+
+bool Families::stale() const {
+  if (ordering_ != points_.ordering()) {
+    return true;
+  }
+  if (version_ == points_.version()) {
+    return false;
+  }
+  const auto position = points_.position();
+  const int dimension = points_.dimension();
+  const double allowed = 0.25 * skin_ * skin_;
+  const Index tasks = (points_.size() + piece_rows - 1) / piece_rows;
+  std::vector<char> far(static_cast<std::size_t>(tasks), 0);
+  parallel_ranges(points_.size(), [&](Index begin, Index end) {
+    bool any = false;
+    for (Index row = begin; row < end; ++row) {
+      const double* reference = reference_.data() + row * dimension;
+      // Written so that a position that is no number counts as far.
+      any |=
+          !(squared_distance(dimension, position.data() + row * dimension, reference) <= allowed);
+    }
+    far[begin / piece_rows] = any ? 1 : 0;
+  });
+  return std::any_of(far.begin(), far.end(), [](char any) { return any != 0; });
+}
+
+bool Families::update() {
+  const bool search_again = stale();
+  if (search_again) {
+    const auto position = points_.position();
+    std::copy(position.begin(), position.end(), reference_.data());
+    search();
+  }
+  version_ = points_.version();
+  return search_again;
+}
+
+void Families::search() {
+  const int dimension = points_.dimension();
+  const Index rows = points_.size();
+  const double radius = horizon_ + skin_;
+  for (Index row = 0; row < rows * dimension; ++row) {
+    if (!(std::abs(reference_[row]) < 1e150)) {
+      throw RunError(message("position of point ", points_.id()[row / dimension],
+                             " is no longer a number: the step is too long for this flow"));
+    }
+  }
+  const CellList cells(reference_.values(), dimension, radius);
+  const auto body = points_.body();
+
+  struct Piece {
+    std::vector<std::int32_t> neighbour, wall;
+    std::vector<Index> size, wall_begin, end;
+  };
+  const Index tasks = (rows + search_rows - 1) / search_rows;
+  std::vector<Piece> pieces(static_cast<std::size_t>(tasks));
+  parallel_tasks(tasks, [&](Index task) {
+    Piece& piece = pieces[task];
+    for (Index row = task * search_rows; row < std::min(rows, (task + 1) * search_rows); ++row) {
+      const auto first = static_cast<Index>(piece.neighbour.size());
+      piece.wall.clear();
+      if (roles_[body[row]].member == Member::owner) {
+        Vec3 here = Vec3::Zero();
+        std::copy_n(reference_.data() + row * dimension, dimension, here.data());
+        cells.each_within(here, radius, [&](Index other, double) {
+          const FamilyRole role = roles_[body[other]];
+          if (other != row && role.member != Member::absent) {
+            (role.wall ? piece.wall : piece.neighbour).push_back(static_cast<std::int32_t>(other));
+          }
+        });
+      }
+      piece.wall_begin.push_back(static_cast<Index>(piece.neighbour.size()) - first);
+      piece.neighbour.insert(piece.neighbour.end(), piece.wall.begin(), piece.wall.end());
+      piece.end.push_back(static_cast<Index>(piece.neighbour.size()) - first);
+      while ((static_cast<Index>(piece.neighbour.size()) - first) % lanes::width != 0) {
+        piece.neighbour.push_back(static_cast<std::int32_t>(row));
+      }
+      piece.size.push_back(static_cast<Index>(piece.neighbour.size()) - first);
+    }
+  });
+
+  begin_.assign(static_cast<std::size_t>(rows + 1), 0);
+  wall_begin_.resize(static_cast<std::size_t>(rows));
+  end_.resize(static_cast<std::size_t>(rows));
+  largest_ = 0;
+  for (Index row = 0; row < rows; ++row) {
+    const Piece& piece = pieces[row / search_rows];
+    const Index k = row % search_rows;
+    wall_begin_[row] = begin_[row] + piece.wall_begin[k];
+    end_[row] = begin_[row] + piece.end[k];
+    begin_[row + 1] = begin_[row] + piece.size[k];
+    largest_ = std::max(largest_, piece.size[k]);
+  }
+  neighbour_.resize(static_cast<std::size_t>(begin_[rows]));
+  parallel_tasks(tasks, [&](Index task) {
+    const auto& from = pieces[task].neighbour;
+    std::copy(from.begin(), from.end(), neighbour_.begin() + begin_[task * search_rows]);
+  });
+  ordering_ = points_.ordering();
+  ++searches_;
+}
+
+void Families::save(Archive& archive, const std::string& name) const {
+  archive.write(name + "/reference", reference_.values());
+  archive.write(name + "/searches", searches_);
+  archive.write(name + "/ordered", static_cast<Index>(ordering_ == points_.ordering() ? 1 : 0));
+}
+
+void Families::load(const Archive& archive, const std::string& name) {
+  archive.read(name + "/reference", reference_.values());
+  search();
+  searches_ = archive.read_index(name + "/searches");
+  // A list that a re-ordering had made stale stays stale.
+  ordering_ = archive.read_index(name + "/ordered") == 1 ? points_.ordering() : -1;
+  version_ = -1;
+}
+
+std::vector<Index> cell_order(const Points& points, double cell) {
+  const CellList cells(points.position(), points.dimension(), cell);
+  return {cells.order().begin(), cells.order().end()};
+}
+
+}  // namespace lapilli

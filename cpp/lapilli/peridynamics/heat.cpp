@@ -1,0 +1,217 @@
+#include "lapilli/peridynamics/heat.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/parallel.hpp"
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+
+PeridynamicHeat::PeridynamicHeat(Points& points, std::shared_ptr<WallSurface> walls,
+                                 const PeridynamicHeatSettings& settings, const Fluid& fluid)
+    : points_(points),
+      walls_(std::move(walls)),
+      settings_(settings),
+      fluid_(fluid),
+      exchange_(make_heat_exchange(points, *walls_, settings, fluid.conductivity())),
+      temperature_(points, 1),
+      capacity_(points, 1),
+      rate_(points, 1),
+      surface_(walls_->walls().size()),
+      from_walls_(walls_->walls().size(), 0.0),
+      taken_in_(walls_->walls().size() + 2, 0.0) {
+  for (Index i = 0; i < points.size(); ++i) {
+    if (walls_->wall(i) < 0) {
+      capacity_[i] = fluid_.thermal.capacity() * points.volume()[i];
+    }
+  }
+  std::vector<Vec3> place(static_cast<std::size_t>(points.size()));
+  for (Index i = 0; i < points.size(); ++i) {
+    place[static_cast<std::size_t>(i)] = walls_->place(i);
+  }
+  std::vector<double> start(place.size());
+  for (const FluidBody& body : fluid_.bodies) {
+    body.temperature.evaluate(place, {}, 0.0, start);
+    for (Index i = 0; i < points.size(); ++i) {
+      if (points.body()[i] == body.body) {
+        temperature_[i] = start[static_cast<std::size_t>(i)];
+      }
+    }
+  }
+  prescribe_walls(0.0);
+}
+
+StepLimit PeridynamicHeat::step_limit() const {
+  const double diffusivity = fluid_.diffusivity();
+  if (diffusivity == 0.0) {
+    return {};
+  }
+  const double natural =
+      walls_->spacing() * walls_->spacing() / (points_.dimension() * diffusivity);
+  return {0.5 * natural, settings_.step_factor * natural,
+          "explicit conduction, 0.5 dx^2/(dim alpha)"};
+}
+
+StepReport PeridynamicHeat::advance(const Step& step) {
+  if (!started_) {
+    initial_ = stored();
+    started_ = true;
+  }
+  prescribe_walls(step.time);
+  exchange_->update();
+  exchange_->rates(temperature_.data(), surface_, rate_.data(), from_walls_);
+  source_power_ = dissipated_power_ = 0.0;
+  for (const FluidBody& body : fluid_.bodies) {
+    add_source(body, step.time);
+  }
+  add_dissipation();
+  update_points(step);
+  return {step.size, 0, 0.0};
+}
+
+void PeridynamicHeat::prescribe_walls(double time) {
+  for (std::size_t k = 0; k < surface_.size(); ++k) {
+    const WallSettings& wall = walls_->walls()[k].settings;
+    surface_[k].temperature = wall.temperature.at(time);
+    surface_[k].flux = wall.flux.at(time);
+  }
+  for (Index i = 0; i < points_.size(); ++i) {
+    const int k = walls_->wall(i);
+    if (k >= 0 && walls_->walls()[k].settings.heat == WallHeat::temperature) {
+      temperature_[i] = surface_[k].temperature;
+    }
+  }
+}
+
+void PeridynamicHeat::add_source(const FluidBody& body, double time) {
+  const Value& source = body.source;
+  if (source.is_constant() && source.at(0.0) == 0.0) {
+    return;
+  }
+  std::vector<Vec3> place;
+  std::vector<double> density(static_cast<std::size_t>(points_.size()));
+  if (source.is_function()) {
+    for (Index i = 0; i < points_.size(); ++i) {
+      place.push_back(walls_->place(i));
+    }
+  }
+  source.evaluate(place, temperature_.values(), time, density);
+  for (Index i = 0; i < points_.size(); ++i) {
+    if (points_.body()[i] == body.body) {
+      const double power = density[i] * capacity_[i] / fluid_.thermal.capacity();
+      rate_[i] += power;
+      source_power_ += power;
+    }
+  }
+}
+
+void PeridynamicHeat::add_dissipation() {
+  if (dissipation_ == nullptr) {
+    return;
+  }
+  for (Index i = 0; i < points_.size(); ++i) {
+    if (walls_->wall(i) < 0) {
+      const double power = (*dissipation_)[i] * capacity_[i] / fluid_.thermal.capacity();
+      rate_[i] += power;
+      dissipated_power_ += power;
+    }
+  }
+}
+
+void PeridynamicHeat::update_points(const Step& step) {
+  parallel_for(points_.size(), [&](Index i) {
+    if (capacity_[i] > 0.0) {
+      temperature_[i] += step.size * rate_[i] / capacity_[i];
+    }
+  });
+  for (std::size_t k = 0; k < from_walls_.size(); ++k) {
+    taken_in_[k] += step.size * from_walls_[k];
+  }
+  taken_in_[from_walls_.size()] += step.size * source_power_;
+  taken_in_[from_walls_.size() + 1] += step.size * dissipated_power_;
+  if (step.index % 64 == 0) {
+    for (Index i = 0; i < points_.size(); ++i) {
+      if (!std::isfinite(temperature_[i])) {
+        throw RunError(message("temperature of point ", points_.id()[i],
+                               " is no longer a number: the step of ", step.size,
+                               " s is too long, or the flow has become unstable"));
+      }
+    }
+  }
+}
+
+double PeridynamicHeat::stored() const {
+  return parallel_sum(points_.size(), 0.0, [&](Index i) { return capacity_[i] * temperature_[i]; });
+}
+
+double PeridynamicHeat::wall_range() const {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (std::size_t k = 0; k < surface_.size(); ++k) {
+    if (walls_->walls()[k].settings.heat == WallHeat::temperature) {
+      least = std::min(least, surface_[k].temperature);
+      most = std::max(most, surface_[k].temperature);
+    }
+  }
+  return most > least ? most - least : 0.0;
+}
+
+double PeridynamicHeat::wall_flux(int wall, const Vec3& place, double reach) const {
+  return exchange_->wall_flux(wall, place, reach, temperature_.data(), surface_);
+}
+
+void PeridynamicHeat::refresh_output() { exchange_->refresh(); }
+
+std::vector<Field> PeridynamicHeat::fields() {
+  return {{"temperature", "K", 1, temperature_.values()}};
+}
+
+std::vector<Ledger> PeridynamicHeat::ledgers() const {
+  const double now = stored();
+  const double before = started_ ? initial_ : now;
+  Ledger ledger{"heat", "J", before, now, {}, std::max(std::abs(before), std::abs(now))};
+  for (std::size_t k = 0; k < from_walls_.size(); ++k) {
+    ledger.entries.push_back({message("wall ", walls_->walls()[k].settings.name), taken_in_[k]});
+  }
+  ledger.entries.push_back({"source", taken_in_[from_walls_.size()]});
+  if (dissipation_ != nullptr) {
+    ledger.entries.push_back({"dissipation", taken_in_[from_walls_.size() + 1]});
+  }
+  return {ledger};
+}
+
+void PeridynamicHeat::save(Archive& archive) const {
+  archive.write("heat/temperature", temperature_.values());
+  archive.write("heat/capacity", capacity_.values());
+  archive.write("heat/from_walls", from_walls_);
+  archive.write("heat/taken_in", taken_in_);
+  archive.write("heat/initial", initial_);
+  archive.write("heat/started", static_cast<Index>(started_ ? 1 : 0));
+  exchange_->save(archive);
+  walls_->save(archive);
+}
+
+void PeridynamicHeat::load(const Archive& archive) {
+  archive.read("heat/temperature", temperature_.values());
+  archive.read("heat/capacity", capacity_.values());
+  archive.read("heat/from_walls", from_walls_);
+  archive.read("heat/taken_in", taken_in_);
+  initial_ = archive.read_number("heat/initial");
+  started_ = archive.read_index("heat/started") == 1;
+  walls_->load(archive);
+  exchange_->load(archive);
+}
+
+std::vector<std::pair<std::string, double>> PeridynamicHeat::diagnostics() const {
+  std::vector<std::pair<std::string, double>> numbers;
+  for (std::size_t k = 0; k < from_walls_.size(); ++k) {
+    if (walls_->walls()[k].settings.heat != WallHeat::adiabatic) {
+      numbers.emplace_back(message("heat flow from wall ", walls_->walls()[k].settings.name),
+                           from_walls_[k]);
+    }
+  }
+  numbers.emplace_back("imbalance of heat bonds", exchange_->imbalance());
+  return numbers;
+}
+
+}  // namespace lapilli

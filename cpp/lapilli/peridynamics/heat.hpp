@@ -1,0 +1,73 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lapilli/core/physics.hpp"
+#include "lapilli/core/points.hpp"
+#include "lapilli/peridynamics/fluid.hpp"
+#include "lapilli/peridynamics/heat_exchange.hpp"
+
+namespace lapilli {
+
+/// Heat in a fluid (or any set of points) on the thermal horizon: rho c dT/dt = -div q + source.
+///
+/// Yang, Zhao, Zhu, Feng, Eq. 24 with the sign that conducts (as printed it gathers heat), forward
+/// Euler. The capacity of a point, rho c V, is that of its first volume. Points move with the
+/// fluid, so convection needs no term. Not modelled: properties that depend on temperature,
+/// radiation, heat within walls.
+class PeridynamicHeat final : public Physics {
+ public:
+  PeridynamicHeat(Points& points, std::shared_ptr<WallSurface> walls,
+                  const PeridynamicHeatSettings& settings, const Fluid& fluid);
+
+  /// Viscous work per volume and time, W/m^3, that a flow gives; nullptr: none.
+  void heat_by(const PointArray* dissipation) { dissipation_ = dissipation; }
+
+  std::string name() const override { return "heat"; }
+  StepLimit step_limit() const override;
+  StepReport advance(const Step& step) override;
+  void refresh_output() override;
+  std::vector<Field> fields() override;
+  std::vector<Ledger> ledgers() const override;
+  void save(Archive& archive) const override;
+  void load(const Archive& archive) override;
+  std::vector<std::pair<std::string, double>> diagnostics() const override;
+
+  const PointArray& temperature() const { return temperature_; }  // K
+  PointArray& temperature() { return temperature_; }
+  const Fluid& material() const { return fluid_; }
+  /// Heat flow from a wall into the fluid in the last step, W.
+  double wall_power(int wall) const { return from_walls_[wall]; }
+  /// Difference between the highest and the lowest temperature prescribed by walls, K.
+  double wall_range() const;
+  /// Heat flux into the fluid near `place` on `wall`, W/m^2; see HeatExchange::wall_flux.
+  double wall_flux(int wall, const Vec3& place, double reach) const;
+  double wall_area(int wall) const { return exchange_->wall_area(wall); }
+  const WallSurface& walls() const { return *walls_; }
+  const HeatExchange& exchange() const { return *exchange_; }
+
+ private:
+  void prescribe_walls(double time);
+  void add_source(const FluidBody& body, double time);
+  void add_dissipation();
+  void update_points(const Step& step);
+  double stored() const;
+
+  Points& points_;
+  std::shared_ptr<WallSurface> walls_;
+  PeridynamicHeatSettings settings_;
+  Fluid fluid_;
+  std::unique_ptr<HeatExchange> exchange_;
+  PointArray temperature_, capacity_, rate_;
+  const PointArray* dissipation_ = nullptr;
+  std::vector<WallState> surface_;
+  std::vector<double> from_walls_;
+  double source_power_ = 0.0, dissipated_power_ = 0.0;
+  double initial_ = 0.0;
+  bool started_ = false;
+  std::vector<double> taken_in_;  // J: walls, source, dissipation
+};
+
+}  // namespace lapilli

@@ -1,0 +1,427 @@
+#include "lapilli/peridynamics/peridynamic_flow.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/parallel.hpp"
+#include "lapilli/core/require.hpp"
+#include "lapilli/peridynamics/flow_places.hpp"
+#include "lapilli/peridynamics/heat.hpp"
+#include "lapilli/peridynamics/sound_speed.hpp"
+#include "lapilli/peridynamics/wall_velocity.hpp"
+
+namespace lapilli {
+namespace {
+
+constexpr Index piece = 256;            // points handed to a thread at once
+constexpr double largest_shift = 0.05;  // spacings a step
+constexpr int sort_every = 8;           // searches
+
+template <class Body>
+void over_pieces(Index rows, const Body& body) {
+  parallel_tasks((rows + piece - 1) / piece,
+                 [&](Index task) { body(task, task * piece, std::min(rows, (task + 1) * piece)); });
+}
+
+std::vector<FamilyRole> roles_of(const WallSurface& walls) {
+  std::vector<FamilyRole> roles;
+  for (Index body = 0; body < walls.bodies(); ++body) {
+    roles.push_back({Member::owner, walls.wall_of_body(body) >= 0});
+  }
+  return roles;
+}
+
+template <int Dim>
+Vec<Dim> vector_of(const std::array<double, 3>& values) {
+  return Eigen::Map<const Vec<3>>(values.data()).template head<Dim>();
+}
+
+}  // namespace
+
+template <int Dim>
+PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurface> walls,
+                                      const PeridynamicFlowSettings& settings, const Fluid& fluid,
+                                      const PeridynamicHeat* heat, bool with_dissipation,
+                                      PrintedEquations printed)
+    : points_(points),
+      walls_(std::move(walls)),
+      settings_(settings),
+      fluid_(fluid.newtonian),
+      heat_(heat),
+      printed_(printed),
+      weight_{settings.influence, settings.horizon * walls_->spacing(), walls_->spacing(), true},
+      lattice_constant_(2.0 / lattice_moment(Dim, weight_)),
+      gravity_(vector_of<Dim>(settings.gravity)),
+      sound_speed_(choose_sound_speed(points, *walls_, settings, fluid.newtonian,
+                                      heat != nullptr ? heat->wall_range() : 0.0)),
+      pressure_{fluid.newtonian.density, sound_speed_, settings.stiffness_exponent},
+      two_field_(settings.laplacian == Laplacian::literal ||
+                 settings.laplacian == Laplacian::zero_energy),
+      velocity_(points, Dim),
+      acceleration_(points, Dim),
+      density_(points, 1, fluid.newtonian.density),
+      mass_(points, 1),
+      shift_(points, Dim),
+      force_(points.size()),
+      families_(points, weight_.horizon, settings.skin * walls_->spacing(), roles_of(*walls_)),
+      least_density_(fluid.newtonian.density),
+      most_density_(fluid.newtonian.density) {
+  const auto rows = static_cast<std::size_t>(points.size());
+  rows_.assign(rows * row_size, 0.0);
+  gradient_.assign(two_field_ ? rows : 0, Mat<Dim>::Zero());
+  inverse_shape_.assign(two_field_ ? rows : 0, Mat<Dim>::Zero());
+  if (with_dissipation) {
+    dissipation_ = std::make_unique<PointArray>(points, 1);
+  }
+  for (Index i = 0; i < points.size(); ++i) {
+    mass_[i] = fluid.newtonian.density * points.volume()[i];
+    if (const int wall = walls_->wall(i); wall >= 0) {
+      const Vec<Dim> v = vector_of<Dim>(walls_->walls()[wall].settings.velocity);
+      std::copy(v.data(), v.data() + Dim, velocity_.data() + i * Dim);
+    }
+  }
+  for (const FluidBody& body : fluid.bodies) {
+    const Vec<Dim> v = vector_of<Dim>(body.velocity);
+    for (Index i = 0; i < points.size(); ++i) {
+      if (points.body()[i] == body.body) {
+        std::copy(v.data(), v.data() + Dim, velocity_.data() + i * Dim);
+      }
+    }
+  }
+  const auto tasks = (rows + piece - 1) / piece;
+  piece_least_.assign(tasks, fluid.newtonian.density);
+  piece_most_.assign(tasks, fluid.newtonian.density);
+  piece_spacing_.assign(tasks, 1e100);
+}
+
+template <int Dim>
+StepLimit PeridynamicFlow<Dim>::step_limit() const {
+  const double dx = walls_->spacing();
+  const double acoustic = dx / sound_speed_;
+  const double viscous = fluid_.viscosity > 0.0
+                             ? dx * dx * fluid_.density / (Dim * fluid_.viscosity)
+                             : std::numeric_limits<double>::infinity();
+  StepLimit limit;
+  limit.hard = std::min(acoustic, viscous);
+  limit.automatic = std::min(settings_.courant * acoustic, settings_.viscous_step * viscous);
+  limit.reason =
+      message("explicit flow: dx / sound speed ", acoustic, " s, dx^2 / (dim nu) ", viscous, " s");
+  return limit;
+}
+
+template <int Dim>
+StepReport PeridynamicFlow<Dim>::advance(const Step& step) {
+  if (!started_) {
+    start();
+  }
+  kick_and_drift(step);
+  find_families();
+  gather_rows();
+  update_density(step.size);
+  check_density();
+  accelerate();
+  kick(0.5 * step.size);
+  return {step.size, 0, 0.0};
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::start() {
+  find_families();
+  part_coincident_points<Dim>(points_, *walls_, families_);
+  gather_rows();
+  update_density(0.0);
+  accelerate();
+  started_ = true;
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::kick_and_drift(const Step& step) {
+  const double dt = step.size;
+  std::vector<double> fastest(piece_least_.size(), 0.0);
+  over_pieces(points_.size(), [&](Index task, Index begin, Index end) {
+    double most = 0.0;
+    for (Index i = begin; i < end; ++i) {
+      if (fluid(i)) {
+        double squared = 0.0;
+        for (int d = 0; d < Dim; ++d) {
+          squared += velocity_[i * Dim + d] * velocity_[i * Dim + d];
+        }
+        most = std::max(most, squared);
+      }
+    }
+    fastest[task] = most;
+  });
+  const double speed = std::sqrt(*std::max_element(fastest.begin(), fastest.end()));
+  // Eq. 38 with the sign that spreads points.
+  const double sign = printed_.towards_neighbours ? 1.0 : -1.0;
+  const double shifting = sign * settings_.shifting * speed * dt;
+  const double most = largest_shift * walls_->spacing();
+  const auto position = points_.position();
+  over_pieces(points_.size(), [&](Index, Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      double* x = position.data() + i * Dim;
+      double* v = velocity_.data() + i * Dim;
+      const double* a = acceleration_.data() + i * Dim;
+      if (fluid(i)) {
+        double away[Dim], squared = 0.0;
+        for (int d = 0; d < Dim; ++d) {
+          v[d] += 0.5 * dt * a[d];
+          away[d] = shifting * shift_[i * Dim + d];
+          squared += away[d] * away[d];
+        }
+        const double cut = squared > most * most ? most / std::sqrt(squared) : 1.0;
+        for (int d = 0; d < Dim; ++d) {
+          x[d] += dt * v[d] + cut * away[d];
+        }
+      } else if (walls_->walls()[walls_->wall(i)].settings.moves) {
+        for (int d = 0; d < Dim; ++d) {
+          x[d] += dt * v[d];
+        }
+      }
+    }
+  });
+  points_.moved();
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::find_families() {
+  if (families_.stale() && families_.searches() % sort_every == 0) {
+    points_.permute(cell_order(points_, weight_.horizon + settings_.skin * walls_->spacing()));
+  }
+  if (families_.update()) {
+    bond_weight_.resize(static_cast<std::size_t>(families_.bonds()));
+    check_places<Dim>(points_, *walls_, families_, velocity_);
+  }
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::gather_rows() {
+  const auto position = points_.position();
+  over_pieces(points_.size(), [&](Index, Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      double* row = rows_.data() + i * row_size;
+      for (int d = 0; d < Dim; ++d) {
+        row[d] = position[i * Dim + d];
+        row[4 + d] = velocity_[i * Dim + d];
+      }
+      row[3] = mass_[i] / density_[i];
+      row[7] = density_[i];
+    }
+  });
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::update_density(double step_size) {
+  over_pieces(points_.size(), [&](Index task, Index begin, Index end) {
+    double least = most_density_, most = 0.0, closest = 1e200;
+    for (Index i = begin; i < end; ++i) {
+      BondSums<Dim> sums = sum_bonds<Dim>(rows_.data(), families_, weight_, i, bond_weight_.data());
+      if (fluid(i)) {
+        add_wall_velocity(*walls_, families_, rows_.data(), bond_weight_.data(), i, sums);
+        closest = std::min(closest, sums.least_squared);
+      }
+      update_point(i, sums, step_size);
+      if (fluid(i)) {
+        least = std::min(least, density_[i]);
+        most = std::max(most, density_[i]);
+      }
+    }
+    piece_least_[task] = least;
+    piece_most_[task] = most > 0.0 ? most : least;
+    piece_spacing_[task] = std::sqrt(closest);
+  });
+  if (two_field_) {
+    add_zero_energy();
+  }
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::update_point(Index point, const BondSums<Dim>& sums, double step_size) {
+  const Mat<Dim> inverse = sums.shape.inverse();
+  const Mat<Dim> gradient = sums.gradient * inverse;
+  const double old = density_[point];
+  const double trace = sums.shape.trace();
+  // Eq. 26, and the diffusion that smooths sound.
+  const double diffusion = settings_.density_diffusion * sound_speed_ * walls_->spacing() * 2.0 *
+                           Dim / trace * sums.density;
+  density_[point] = old + step_size * (diffusion - old * gradient.trace());
+  const double p = pressure_(printed_.old_stress ? old : density_[point]);
+
+  Mat<Dim> stress = -p * inverse;
+  Vec<Dim> viscous = Vec<Dim>::Zero();
+  if (two_field_) {
+    stress += fluid_.viscosity * (gradient + gradient.transpose()) * inverse;
+    gradient_[point] = gradient;
+    inverse_shape_[point] = inverse;
+  } else if (settings_.laplacian == Laplacian::compact) {
+    viscous = fluid_.viscosity * lattice_constant_ * sums.velocity;
+  } else {
+    viscous = fluid_.viscosity * 2.0 * Dim / trace * (sums.velocity - gradient * sums.bond);
+  }
+  force_.set(point, stress, rows_.data() + point * row_size, viscous, sums.bond);
+  if (fluid(point)) {
+    const double mean = sums.count > 0.0 ? sums.length / sums.count : 0.0;
+    for (int d = 0; d < Dim; ++d) {
+      shift_[point * Dim + d] = mean * mean * sums.crowding[d];
+    }
+    if (dissipation_) {
+      const Mat<Dim> rate = 0.5 * (gradient + gradient.transpose());
+      (*dissipation_)[point] = 2.0 * fluid_.viscosity * rate.squaredNorm();
+    }
+  }
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::add_zero_energy() {
+  if (settings_.laplacian != Laplacian::zero_energy) {
+    return;
+  }
+  // What the mean gradient does not explain of a velocity difference, per bond.
+  over_pieces(points_.size(), [&](Index, Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      if (!fluid(i)) {
+        continue;
+      }
+      const double* own = rows_.data() + i * row_size;
+      Vec<Dim> sum = Vec<Dim>::Zero();
+      for (Index k = families_.begin(i); k < families_.end(i); ++k) {
+        const Index j = families_.neighbour(k);
+        const double* other = rows_.data() + j * row_size;
+        Vec<Dim> bond, relative;
+        for (int d = 0; d < Dim; ++d) {
+          bond[d] = other[d] - own[d];
+          relative[d] = other[4 + d] - own[4 + d];
+        }
+        const double scale =
+            0.5 * bond_weight_[k] * (inverse_shape_[i].trace() + inverse_shape_[j].trace());
+        sum += scale * (relative - 0.5 * (gradient_[i] + gradient_[j]) * bond);
+      }
+      force_.add(i, settings_.zero_energy * fluid_.viscosity * sum);
+    }
+  });
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::accelerate() {
+  over_pieces(points_.size(), [&](Index, Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      if (fluid(i)) {
+        const Vec<Dim> a = force_(i, families_, bond_weight_.data()) / density_[i] + body_force(i);
+        std::copy(a.data(), a.data() + Dim, acceleration_.data() + i * Dim);
+      }
+    }
+  });
+}
+
+template <int Dim>
+Vec<Dim> PeridynamicFlow<Dim>::body_force(Index point) const {
+  const double warmer =
+      heat_ != nullptr ? heat_->temperature()[point] - fluid_.reference_temperature : 0.0;
+  if (settings_.buoyancy == Buoyancy::reduced) {
+    return -fluid_.expansion * warmer * gravity_;
+  }
+  return (1.0 - fluid_.expansion * warmer) * gravity_;
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::kick(double step_size) {
+  over_pieces(points_.size(), [&](Index, Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      if (fluid(i)) {
+        for (int d = 0; d < Dim; ++d) {
+          velocity_[i * Dim + d] += step_size * acceleration_[i * Dim + d];
+        }
+      }
+      points_.volume()[i] = mass_[i] / density_[i];
+    }
+  });
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::check_density() {
+  for (std::size_t task = 0; task < piece_least_.size(); ++task) {
+    least_density_ = std::min(least_density_, piece_least_[task]);
+    most_density_ = std::max(most_density_, piece_most_[task]);
+    smallest_spacing_ = std::min(smallest_spacing_, piece_spacing_[task]);
+  }
+  const double allowed = settings_.largest_density_variation;
+  const auto [low, high] = density_variation();
+  if (low >= -allowed && high <= allowed) {
+    return;
+  }
+  for (Index i = 0; i < points_.size(); ++i) {
+    const double variation = density_[i] / fluid_.density - 1.0;
+    if (fluid(i) && !(std::abs(variation) <= allowed)) {
+      throw RunError(message("density of point ", points_.id()[i], " is ", 100.0 * variation,
+                             " % off its reference, more than the allowed ", 100.0 * allowed,
+                             " %: the flow outruns its sound speed of ", sound_speed_,
+                             " m/s; raise sound_speed_factor, or the step is too long"));
+    }
+  }
+}
+
+template <int Dim>
+std::vector<Field> PeridynamicFlow<Dim>::fields() {
+  return {{"velocity", "m/s", Dim, velocity_.values()},
+          {"density", "kg/m^3", 1, density_.values()}};
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, double>> PeridynamicFlow<Dim>::diagnostics() const {
+  const auto [low, high] = density_variation();
+  return {
+      {"velocity noise", velocity_noise()}, {"least density variation", low},
+      {"greatest density variation", high}, {"smallest spacing", smallest_spacing()},
+      {"sound speed", sound_speed_},        {"family searches", static_cast<double>(searches())}};
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::save(Archive& archive) const {
+  archive.write("flow/velocity", velocity_.values());
+  archive.write("flow/acceleration", acceleration_.values());
+  archive.write("flow/density", density_.values());
+  archive.write("flow/mass", mass_.values());
+  archive.write("flow/shift", shift_.values());
+  const double numbers[] = {least_density_, most_density_, smallest_spacing_, sound_speed_,
+                            started_ ? 1.0 : 0.0};
+  archive.write("flow/numbers", numbers);
+  if (dissipation_) {
+    archive.write("flow/dissipation", dissipation_->values());
+  }
+  families_.save(archive, "flow/families");
+  if (heat_ == nullptr) {
+    walls_->save(archive);
+  }
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::load(const Archive& archive) {
+  archive.read("flow/velocity", velocity_.values());
+  archive.read("flow/acceleration", acceleration_.values());
+  archive.read("flow/density", density_.values());
+  archive.read("flow/mass", mass_.values());
+  archive.read("flow/shift", shift_.values());
+  double numbers[5];
+  archive.read("flow/numbers", numbers);
+  least_density_ = numbers[0];
+  most_density_ = numbers[1];
+  smallest_spacing_ = numbers[2];
+  sound_speed_ = numbers[3];
+  pressure_.sound_speed = sound_speed_;
+  started_ = numbers[4] == 1.0;
+  if (dissipation_) {
+    archive.read("flow/dissipation", dissipation_->values());
+  }
+  if (heat_ == nullptr) {
+    walls_->load(archive);
+  }
+  families_.load(archive, "flow/families");
+  bond_weight_.resize(static_cast<std::size_t>(families_.bonds()));
+}
+
+template class PeridynamicFlow<1>;
+template class PeridynamicFlow<2>;
+template class PeridynamicFlow<3>;
+
+}  // namespace lapilli

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "lapilli/peridynamics/bond_sums.hpp"
+#include "lapilli/peridynamics/equation_of_state.hpp"
+#include "lapilli/peridynamics/flow.hpp"
+#include "lapilli/peridynamics/stress_force.hpp"
+#include "lapilli/peridynamics/velocity_noise.hpp"
+
+namespace lapilli {
+
+/// Semi-Lagrangian peridynamics of a weakly compressible Newtonian fluid (Yang, Zhao, Zhu, Feng,
+/// Eqs. 26, 27, 33-36, 38), velocity Verlet.
+///
+/// Differs from the paper where its equations do not run: stress from the new density (not Eq. 35),
+/// shifting away from neighbours (not Eq. 38), reduced buoyancy, a density diffusion. Walls are
+/// layers of points that carry pressure; a wall point at depth d_j shows a fluid point at distance
+/// d_i the velocity v_s + (v_s - v_i) d_j/d_i. Not modelled: free surfaces, turbulence, a second
+/// fluid.
+template <int Dim>
+class PeridynamicFlow final : public Flow {
+ public:
+  PeridynamicFlow(Points& points, std::shared_ptr<WallSurface> walls,
+                  const PeridynamicFlowSettings& settings, const Fluid& fluid,
+                  const PeridynamicHeat* heat, bool with_dissipation, PrintedEquations printed);
+
+  std::string name() const override { return "flow"; }
+  StepLimit step_limit() const override;
+  StepReport advance(const Step& step) override;
+  std::vector<Field> fields() override;
+  void save(Archive& archive) const override;
+  void load(const Archive& archive) override;
+  std::vector<std::pair<std::string, double>> diagnostics() const override;
+
+  const PointArray& velocity() const override { return velocity_; }
+  PointArray& velocity() override { return velocity_; }
+  const PointArray& density() const override { return density_; }
+  const PointArray* dissipation() const override { return dissipation_.get(); }
+  double sound_speed() const override { return sound_speed_; }
+  double velocity_noise() const override {
+    return lapilli::velocity_noise<Dim>(*walls_, families_, bond_weight_, velocity_);
+  }
+  std::pair<double, double> density_variation() const override {
+    return {least_density_ / fluid_.density - 1.0, most_density_ / fluid_.density - 1.0};
+  }
+  double smallest_spacing() const override { return smallest_spacing_ / walls_->spacing(); }
+  Index searches() const override { return families_.searches(); }
+
+ private:
+  void start();
+  void kick_and_drift(const Step& step);
+  void find_families();
+  void gather_rows();
+  /// New density and pressure, stress rows and viscous force of every point.
+  void update_density(double step_size);
+  void update_point(Index point, const BondSums<Dim>& sums, double step_size);
+  void add_zero_energy();
+  /// Acceleration from stress rows and body force.
+  void accelerate();
+  void kick(double step_size);
+  void check_density();
+
+  Vec<Dim> body_force(Index point) const;  // acceleration, m/s^2
+  bool fluid(Index point) const { return walls_->wall(point) < 0; }
+
+  static constexpr Index row_size = flow_row_size;
+
+  Points& points_;
+  std::shared_ptr<WallSurface> walls_;
+  PeridynamicFlowSettings settings_;
+  Newtonian fluid_;
+  const PeridynamicHeat* heat_;
+  PrintedEquations printed_;
+  BondWeight weight_;
+  double lattice_constant_;
+  Vec<Dim> gravity_;
+  double sound_speed_;
+  EquationOfState pressure_;
+  bool two_field_;
+
+  PointArray velocity_, acceleration_, density_, mass_, shift_;
+  std::unique_ptr<PointArray> dissipation_;
+  StressForce<Dim> force_;
+  Families families_;
+  std::vector<double> rows_, bond_weight_;
+  std::vector<Mat<Dim>> gradient_, inverse_shape_;  // kept for two fields only
+  std::vector<double> piece_least_, piece_most_, piece_spacing_;
+  double least_density_, most_density_, smallest_spacing_ = 1e100;
+  bool started_ = false;
+};
+
+}  // namespace lapilli

@@ -1,0 +1,206 @@
+#include "lapilli/peridynamics/two_field_conduction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+namespace {
+
+std::vector<FamilyRole> roles_of(const WallSurface& walls) {
+  std::vector<FamilyRole> roles;
+  for (Index body = 0; body < walls.bodies(); ++body) {
+    const int wall = walls.wall_of_body(body);
+    const bool adiabatic = wall >= 0 && walls.walls()[wall].settings.heat == WallHeat::adiabatic;
+    roles.push_back({adiabatic ? Member::absent : Member::owner, wall >= 0});
+  }
+  return roles;
+}
+
+}  // namespace
+
+template <int Dim>
+TwoFieldConduction<Dim>::TwoFieldConduction(Points& points, const WallSurface& walls,
+                                            const PeridynamicHeatSettings& settings,
+                                            double conductivity)
+    : points_(points),
+      walls_(walls),
+      settings_(settings),
+      conductivity_(conductivity),
+      weight_{settings.influence, settings.horizon * walls.spacing(), walls.spacing(), true},
+      families_(points, weight_.horizon, settings.skin * walls.spacing(), roles_of(walls)) {
+  for (const Wall& wall : walls.walls()) {
+    require(wall.settings.heat != WallHeat::convection, "wall '", wall.settings.name,
+            "' has convection, which the laplacian '", name_of(settings.laplacian),
+            "' does not know; take compact or corrected");
+  }
+}
+
+template <int Dim>
+void TwoFieldConduction<Dim>::update() {
+  if (version_ == points_.version() && ordering_ == points_.ordering()) {
+    return;
+  }
+  families_.update();
+  volume_.assign(static_cast<std::size_t>(points_.size()), 0.0);
+  for (Index i = 0; i < points_.size(); ++i) {
+    const int wall = walls_.wall(i);
+    const bool takes_part =
+        wall < 0 || (walls_.walls()[wall].settings.heat != WallHeat::adiabatic && first_layer(i));
+    volume_[i] = takes_part ? points_.volume()[i] : 0.0;
+  }
+  operators_.emplace(points_, families_, weight_, volume_);
+  version_ = points_.version();
+  ordering_ = points_.ordering();
+}
+
+template <int Dim>
+void TwoFieldConduction<Dim>::rates(const double* temperature,
+                                    const std::vector<WallState>& surface, double* rate,
+                                    std::vector<double>& from_walls) const {
+  const Index rows = points_.size();
+  const std::span<const double> values(temperature, static_cast<std::size_t>(rows));
+  const double k = conductivity_;
+  // Eq. 29, as k grad T = -q. A wall that prescribes its flux shows the fluid's own temperature.
+  std::vector<Vec<Dim>> flux(static_cast<std::size_t>(rows), Vec<Dim>::Zero());
+  std::vector<double> excess(static_cast<std::size_t>(rows), 0.0);
+  const auto prescribed = [&](Index i) {
+    const int wall = walls_.wall(i);
+    return wall >= 0 && walls_.walls()[wall].settings.heat == WallHeat::flux;
+  };
+  for (Index i = 0; i < rows; ++i) {
+    if (volume_[i] == 0.0) {
+      continue;
+    }
+    if (prescribed(i)) {
+      const Eigen::Map<const Vec<Dim>> n(walls_.normal(i));
+      flux[i] = -surface[walls_.wall(i)].flux * n;
+      continue;
+    }
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (Index bond = families_.begin(i); bond < families_.end(i); ++bond) {
+      const Index j = families_.neighbour(bond);
+      if (!prescribed(j)) {
+        sum += operators_->weight(bond) * (values[j] - values[i]) *
+               (points_.position<Dim>(j) - points_.position<Dim>(i));
+      }
+    }
+    flux[i] = k * operators_->inverse_shape(i) * sum;
+  }
+  from_walls.assign(surface.size(), 0.0);
+  const double zero_energy =
+      settings_.laplacian == Laplacian::zero_energy ? settings_.zero_energy : 0.0;
+  for (Index i = 0; i < rows; ++i) {
+    rate[i] = 0.0;
+    if (walls_.wall(i) >= 0) {
+      continue;
+    }
+    const Vec<Dim> own = operators_->inverse_shape(i) * flux[i];
+    for (Index bond = families_.begin(i); bond < families_.end(i); ++bond) {
+      const Index j = families_.neighbour(bond);
+      const Vec<Dim> y = points_.position<Dim>(j) - points_.position<Dim>(i);
+      double heat = (own + operators_->inverse_shape(j) * flux[j]).dot(y);
+      if (zero_energy > 0.0 && !prescribed(j)) {
+        const double scale =
+            0.5 * (operators_->inverse_shape(i).trace() + operators_->inverse_shape(j).trace());
+        heat +=
+            zero_energy * scale * (k * (values[j] - values[i]) - 0.5 * (flux[i] + flux[j]).dot(y));
+      }
+      heat *= volume_[i] * operators_->weight(bond);
+      rate[i] += heat;
+      if (const int wall = walls_.wall(j); wall >= 0) {
+        from_walls[wall] += heat;
+      }
+    }
+  }
+}
+
+template <int Dim>
+double TwoFieldConduction<Dim>::wall_flux(int wall, const Vec3& place, double reach,
+                                          const double* temperature,
+                                          const std::vector<WallState>& surface) const {
+  const WallSettings& settings = walls_.walls()[wall].settings;
+  if (settings.heat != WallHeat::temperature) {
+    return settings.heat == WallHeat::flux ? surface[wall].flux : 0.0;
+  }
+  // The slope between the surface and the points next to it.
+  double flux = 0.0, total = 0.0;
+  for (Index i = 0; i < points_.size(); ++i) {
+    if (walls_.wall(i) >= 0) {
+      continue;
+    }
+    for (Index bond = families_.wall_begin(i); bond < families_.end(i); ++bond) {
+      const Index j = families_.neighbour(bond);
+      if (walls_.wall(j) != wall || operators_->weight(bond) == 0.0) {
+        continue;
+      }
+      double squared = 0.0;
+      for (int d = 0; d < Dim; ++d) {
+        squared += std::pow(points_.position()[j * Dim + d] - place[d], 2);
+      }
+      const double ahead =
+          std::max(0.1 * walls_.spacing(),
+                   walls_.template distance<Dim>(points_.position().data() + i * Dim, j));
+      const double w = operators_->weight(bond) * std::exp(-squared / (reach * reach));
+      flux += w * conductivity_ * (surface[wall].temperature - temperature[i]) / ahead;
+      total += w;
+    }
+  }
+  return total > 0.0 ? flux / total : 0.0;
+}
+
+template <int Dim>
+double TwoFieldConduction<Dim>::wall_area(int wall) const {
+  double area = 0.0;
+  std::vector<char> met(static_cast<std::size_t>(points_.size()), 0);
+  for (Index i = 0; i < points_.size(); ++i) {
+    for (Index bond = families_.wall_begin(i); bond < families_.end(i); ++bond) {
+      if (walls_.wall(i) < 0 && operators_->weight(bond) > 0.0) {
+        met[families_.neighbour(bond)] = 1;
+      }
+    }
+  }
+  for (Index j = 0; j < points_.size(); ++j) {
+    if (met[j] != 0 && walls_.wall(j) == wall) {
+      area += points_.volume()[j] / walls_.spacing();
+    }
+  }
+  return area;
+}
+
+template <int Dim>
+double TwoFieldConduction<Dim>::imbalance() const {
+  double largest = 0.0;
+  for (Index i = 0; i < points_.size(); ++i) {
+    if (walls_.wall(i) >= 0 || families_.wall_begin(i) < families_.end(i)) {
+      continue;
+    }
+    Vec<Dim> out = Vec<Dim>::Zero();
+    double scale = 0.0;
+    for (Index bond = families_.begin(i); bond < families_.end(i); ++bond) {
+      const Index j = families_.neighbour(bond);
+      const Vec<Dim> y = points_.position<Dim>(j) - points_.position<Dim>(i);
+      const Vec<Dim> part = operators_->weight(bond) *
+                            (operators_->inverse_shape(i) + operators_->inverse_shape(j)) * y;
+      out += part;
+      scale += part.norm();
+    }
+    if (scale > 0.0) {
+      largest = std::max(largest, out.norm() / scale);
+    }
+  }
+  return largest;
+}
+
+template <int Dim>
+void TwoFieldConduction<Dim>::load(const Archive& archive) {
+  families_.load(archive, "heat/families");
+  version_ = -1;
+}
+
+template class TwoFieldConduction<1>;
+template class TwoFieldConduction<2>;
+template class TwoFieldConduction<3>;
+
+}  // namespace lapilli

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+
+#include "lapilli/peridynamics/families.hpp"
+#include "lapilli/peridynamics/heat_exchange.hpp"
+#include "lapilli/peridynamics/operators.hpp"
+
+namespace lapilli {
+
+/// Heat exchange as the paper writes it (Eqs. 28, 29, with the sign that conducts): flux from the
+/// gradient, rate from the divergence, on request with the zero-energy term.
+///
+/// Without that term the alternating field has no gradient and is not smoothed; kept for
+/// comparison. Walls with a temperature take part with their first layer, which holds that
+/// temperature; walls with a flux with the flux prescribed there; adiabatic walls not at all. No
+/// convection.
+template <int Dim>
+class TwoFieldConduction final : public HeatExchange {
+ public:
+  /// Throws std::invalid_argument for a wall with convection.
+  TwoFieldConduction(Points& points, const WallSurface& walls,
+                     const PeridynamicHeatSettings& settings, double conductivity);
+
+  void update() override;
+  void refresh() override { update(); }
+  void rates(const double* temperature, const std::vector<WallState>& surface, double* rate,
+             std::vector<double>& from_walls) const override;
+  double wall_flux(int wall, const Vec3& place, double reach, const double* temperature,
+                   const std::vector<WallState>& surface) const override;
+  double wall_area(int wall) const override;
+  double imbalance() const override;
+  void save(Archive& archive) const override { families_.save(archive, "heat/families"); }
+  void load(const Archive& archive) override;
+
+ private:
+  bool first_layer(Index point) const { return walls_.depth(point) < 0.99 * walls_.spacing(); }
+
+  Points& points_;
+  const WallSurface& walls_;
+  PeridynamicHeatSettings settings_;
+  double conductivity_;
+  BondWeight weight_;
+  Families families_;
+  std::optional<NonlocalOperators<Dim>> operators_;
+  std::vector<double> volume_;
+  Index version_ = -1, ordering_ = -1;
+};
+
+}  // namespace lapilli

@@ -1,0 +1,118 @@
+#include "lapilli/peridynamics/wall_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/geometry/cell_list.hpp"
+
+namespace lapilli {
+namespace {
+
+std::string text_of(const Vec3& place) {
+  return message("(", place[0], ", ", place[1], ", ", place[2], ")");
+}
+
+}  // namespace
+
+WallSurface::WallSurface(Points& points, std::vector<Wall> walls, const FluidDistance& distance,
+                         double spacing)
+    : points_(points),
+      walls_(std::move(walls)),
+      spacing_(spacing),
+      depth_(points, 1),
+      normal_(points, points.dimension()) {
+  Index bodies = 0;
+  for (const Index body : points.body()) {
+    bodies = std::max(bodies, body + 1);
+  }
+  wall_of_body_.assign(static_cast<std::size_t>(bodies), -1);
+  for (std::size_t k = 0; k < walls_.size(); ++k) {
+    const int body = walls_[k].body;
+    require(body >= 0 && body < bodies && wall_of_body_[body] < 0, "wall '",
+            walls_[k].settings.name, "' needs a body of its own with points, got body ", body,
+            " of ", bodies);
+    wall_of_body_[body] = static_cast<int>(k);
+  }
+  // The share of a spacing by which a lattice point may lie on the wrong side of a curved surface.
+  const double tolerance = 0.3 * spacing;
+  const double step = 1e-4 * spacing;
+  for (Index point = 0; point < points.size(); ++point) {
+    const Vec3 at = place(point);
+    const int k = wall(point);
+    if (k < 0) {
+      if (!walls_.empty()) {
+        const double outside = distance(at);
+        require(outside <= tolerance, "the fluid body overlaps a wall: its point at ", text_of(at),
+                " lies ", outside, " m outside the fluid region");
+      }
+      continue;
+    }
+    const double depth = distance(at);
+    require(depth >= -tolerance, "wall '", walls_[k].settings.name,
+            "' overlaps the fluid body: its point at ", text_of(at), " lies ", -depth,
+            " m inside the fluid region");
+    depth_[point] = std::max(0.0, depth);
+    Vec3 gradient = Vec3::Zero();
+    for (int d = 0; d < points.dimension(); ++d) {
+      Vec3 ahead = at, behind = at;
+      ahead[d] += step;
+      behind[d] -= step;
+      gradient[d] = distance(ahead) - distance(behind);
+    }
+    const double length = gradient.norm();
+    require(length > 0.1 * step, "the distance from the fluid region has no slope at ", text_of(at),
+            " in wall '", walls_[k].settings.name, "'");
+    for (int d = 0; d < points.dimension(); ++d) {
+      normal_[point * points.dimension() + d] = -gradient[d] / length;
+    }
+  }
+}
+
+Vec3 WallSurface::place(Index point) const {
+  Vec3 at = Vec3::Zero();
+  for (int d = 0; d < points_.dimension(); ++d) {
+    at[d] = points_.position()[point * points_.dimension() + d];
+  }
+  return at;
+}
+
+void WallSurface::require_thickness(double horizon) const {
+  // A fluid point a spacing off the surface must find the wall filled to its horizon. The walls
+  // that it meets count together: how deep some wall goes along the normal of each surface point.
+  const double needed = horizon - 1.05 * spacing_;
+  const CellList near(points_.position(), points_.dimension(), spacing_);
+  for (Index point = 0; point < points_.size(); ++point) {
+    if (wall(point) < 0 || depth_[point] >= 0.99 * spacing_) {
+      continue;
+    }
+    Vec3 inward = Vec3::Zero();
+    for (int d = 0; d < points_.dimension(); ++d) {
+      inward[d] = -normal(point)[d];
+    }
+    double deepest = depth_[point];
+    const auto steps = static_cast<int>(std::ceil(horizon / spacing_)) * 2;
+    for (int step = 1; step <= steps && deepest < needed; ++step) {
+      near.each_within(place(point) + 0.5 * step * spacing_ * inward, 0.75 * spacing_,
+                       [&](Index other, double) {
+                         deepest = wall(other) >= 0 ? std::max(deepest, depth_[other]) : deepest;
+                       });
+    }
+    require(deepest >= needed, "wall '", walls_[wall(point)].settings.name, "' is about ",
+            deepest + 0.5 * spacing_, " m thick at ", text_of(place(point)),
+            ", thinner than the horizon of ", horizon, " m: give it at least ",
+            std::ceil(horizon / spacing_ - 0.5), " layers");
+  }
+}
+
+void WallSurface::save(Archive& archive) const {
+  archive.write("walls/depth", depth_.values());
+  archive.write("walls/normal", normal_.values());
+}
+
+void WallSurface::load(const Archive& archive) {
+  archive.read("walls/depth", depth_.values());
+  archive.read("walls/normal", normal_.values());
+}
+
+}  // namespace lapilli

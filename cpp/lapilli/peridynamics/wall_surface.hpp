@@ -1,0 +1,70 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "lapilli/core/points.hpp"
+#include "lapilli/peridynamics/wall_settings.hpp"
+
+namespace lapilli {
+
+/// Signed distance from the region of the fluid, m: positive outside it, where walls are.
+using FluidDistance = std::function<double(const Vec3&)>;
+
+/// A wall and the body that holds its points.
+struct Wall {
+  WallSettings settings;
+  int body = 0;
+};
+
+/// The walls of a fluid as layers of points: how deep each lies behind the wetted surface and which
+/// way the fluid is. Near a wall point the surface is taken as a plane.
+class WallSurface {
+ public:
+  /// Points of bodies that are no wall are fluid. Throws std::invalid_argument when a wall point
+  /// lies in the fluid, a fluid point in a wall, or a body number occurs twice.
+  WallSurface(Points& points, std::vector<Wall> walls, const FluidDistance& distance,
+              double spacing);
+
+  const std::vector<Wall>& walls() const { return walls_; }
+  /// Which wall a point belongs to; -1: fluid.
+  int wall(Index point) const { return wall_of_body_[points_.body()[point]]; }
+  int wall_of_body(Index body) const { return wall_of_body_[body]; }
+  Index bodies() const { return static_cast<Index>(wall_of_body_.size()); }
+  /// Where a point is, m; unused coordinates 0.
+  Vec3 place(Index point) const;
+  const Points& points() const { return points_; }
+  double spacing() const { return spacing_; }
+
+  double depth(Index point) const { return depth_[point]; }  // m, behind the surface; 0 on it
+  const double* normal(Index point) const {                  // unit, into the fluid
+    return normal_.data() + point * points_.dimension();
+  }
+  /// Distance of `place` from the surface in front of wall point `point`, m.
+  template <int Dim>
+  double distance(const double* place, Index point) const {
+    const double* n = normal(point);
+    const double* x = points_.position().data() + point * Dim;
+    double along = -depth_[point];
+    for (int d = 0; d < Dim; ++d) {
+      along += (place[d] - x[d]) * n[d];
+    }
+    return along;
+  }
+
+  /// Throws std::invalid_argument, naming the place, unless the walls fill what a fluid point one
+  /// spacing off their surface can feel within `horizon` (m).
+  void require_thickness(double horizon) const;
+
+  void save(Archive& archive) const;
+  void load(const Archive& archive);
+
+ private:
+  Points& points_;
+  std::vector<Wall> walls_;
+  std::vector<int> wall_of_body_;
+  double spacing_;
+  PointArray depth_, normal_;
+};
+
+}  // namespace lapilli

@@ -1,0 +1,90 @@
+#include <catch2/catch.hpp>
+
+#include "cavity.hpp"
+
+using namespace lapilli;
+
+namespace {
+
+PeridynamicScene scene_of(const cavity::Layout& layout) {
+  return {layout.spacing(),          cavity::box_distance(layout),
+          cavity::unit_fluid(),      cavity::make_walls(1.0, 0.0),
+          PeridynamicHeatSettings{}, PeridynamicFlowSettings{}};
+}
+
+std::string refusal(const cavity::Layout& layout, const PeridynamicScene& scene) {
+  auto points = cavity::make_points(layout);
+  try {
+    build_peridynamics(*points, scene);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("bad scenes are refused with the place and the number") {
+  using Catch::Contains;
+  const cavity::Layout layout{10, 10, 3};
+  REQUIRE(refusal(layout, scene_of(layout)) == "accepted");
+
+  PeridynamicScene scene = scene_of(layout);
+  scene.heat->horizon = 0.9;
+  REQUIRE_THAT(refusal(layout, scene), Contains("thermal horizon of 0.09 m") && Contains("0.1 m"));
+
+  scene = scene_of(layout);
+  scene.flow->horizon = 4.015;
+  REQUIRE_THAT(refusal(layout, scene),
+               Contains("thick at (") && Contains("thinner than the horizon"));
+  const cavity::Layout thin{10, 10, 2};
+  REQUIRE_THAT(refusal(thin, scene_of(thin)), Contains("at least 3 layers"));
+
+  scene = scene_of(layout);
+  scene.region = [](const Vec3& x) { return x[0] - 0.8; };
+  REQUIRE_THAT(refusal(layout, scene), Contains("overlaps a wall") && Contains("(0.85, 0.05, 0)"));
+  scene.region = [](const Vec3& x) { return x[0] - 1.3; };
+  REQUIRE_THAT(refusal(layout, scene), Contains("overlaps the fluid body"));
+
+  scene = scene_of(layout);
+  scene.fluid.newtonian.viscosity = -1.0;
+  REQUIRE_THAT(refusal(layout, scene), Contains("viscosity") && Contains("got -1"));
+
+  scene = scene_of(layout);
+  scene.heat->dissipation = true;
+  scene.flow.reset();
+  REQUIRE_THAT(refusal(layout, scene), Contains("needs a flow"));
+
+  scene = scene_of(layout);
+  scene.heat.reset();
+  scene.flow.reset();
+  REQUIRE_THAT(refusal(layout, scene), Contains("neither"));
+
+  scene = scene_of(layout);
+  scene.walls[1].body = 1;
+  REQUIRE_THAT(refusal(layout, scene), Contains("'right'") && Contains("body of its own"));
+
+  scene = scene_of(layout);
+  scene.walls[0].settings.heat = WallHeat::convection;
+  REQUIRE_THAT(refusal(layout, scene), Contains("coefficient of 0"));
+
+  scene = scene_of(layout);
+  scene.walls[0].settings.velocity = {0.0, 0.0, 1.0};
+  REQUIRE_THAT(refusal(layout, scene), Contains("axis 2"));
+}
+
+TEST_CASE("absent physics is absent") {
+  const cavity::Layout layout{10, 10, 3};
+  PeridynamicScene scene = scene_of(layout);
+  scene.flow.reset();
+  auto points = cavity::make_points(layout);
+  auto physics = build_peridynamics(*points, scene);
+  REQUIRE(physics.size() == 1);
+  REQUIRE(physics[0]->name() == "heat");
+  scene = scene_of(layout);
+  scene.heat.reset();
+  auto others = cavity::make_points(layout);
+  physics = build_peridynamics(*others, scene);
+  REQUIRE(physics.size() == 1);
+  REQUIRE(physics[0]->name() == "flow");
+}
