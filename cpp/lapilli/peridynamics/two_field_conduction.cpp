@@ -31,9 +31,11 @@ TwoFieldConduction<Dim>::TwoFieldConduction(Points& points, const WallSurface& w
       weight_{settings.influence, settings.horizon * walls.spacing(), walls.spacing(), true},
       families_(points, weight_.horizon, settings.skin * walls.spacing(), roles_of(walls)) {
   for (const Wall& wall : walls.walls()) {
-    require(wall.settings.heat != WallHeat::convection, "wall '", wall.settings.name,
-            "' has convection, which the laplacian '", name_of(settings.laplacian),
-            "' does not know; take compact or corrected");
+    require(
+        wall.settings.heat == WallHeat::temperature || wall.settings.heat == WallHeat::adiabatic,
+        "wall '", wall.settings.name, "' has ", name_of(wall.settings.heat),
+        ", which the laplacian '", name_of(settings.laplacian),
+        "' does not know; take compact or corrected");
   }
 }
 
@@ -62,29 +64,17 @@ void TwoFieldConduction<Dim>::rates(const double* temperature,
   const Index rows = points_.size();
   const std::span<const double> values(temperature, static_cast<std::size_t>(rows));
   const double k = conductivity_;
-  // Eq. 29, as k grad T = -q. A wall that prescribes its flux shows the fluid's own temperature.
+  // Eq. 29, as k grad T = -q.
   std::vector<Vec<Dim>> flux(static_cast<std::size_t>(rows), Vec<Dim>::Zero());
-  std::vector<double> excess(static_cast<std::size_t>(rows), 0.0);
-  const auto prescribed = [&](Index i) {
-    const int wall = walls_.wall(i);
-    return wall >= 0 && walls_.walls()[wall].settings.heat == WallHeat::flux;
-  };
   for (Index i = 0; i < rows; ++i) {
     if (volume_[i] == 0.0) {
-      continue;
-    }
-    if (prescribed(i)) {
-      const Eigen::Map<const Vec<Dim>> n(walls_.normal(i));
-      flux[i] = -surface[walls_.wall(i)].flux * n;
       continue;
     }
     Vec<Dim> sum = Vec<Dim>::Zero();
     for (Index bond = families_.begin(i); bond < families_.end(i); ++bond) {
       const Index j = families_.neighbour(bond);
-      if (!prescribed(j)) {
-        sum += operators_->weight(bond) * (values[j] - values[i]) *
-               (points_.position<Dim>(j) - points_.position<Dim>(i));
-      }
+      sum += operators_->weight(bond) * (values[j] - values[i]) *
+             (points_.position<Dim>(j) - points_.position<Dim>(i));
     }
     flux[i] = k * operators_->inverse_shape(i) * sum;
   }
@@ -101,7 +91,7 @@ void TwoFieldConduction<Dim>::rates(const double* temperature,
       const Index j = families_.neighbour(bond);
       const Vec<Dim> y = points_.position<Dim>(j) - points_.position<Dim>(i);
       double heat = (own + operators_->inverse_shape(j) * flux[j]).dot(y);
-      if (zero_energy > 0.0 && !prescribed(j)) {
+      if (zero_energy > 0.0) {
         const double scale =
             0.5 * (operators_->inverse_shape(i).trace() + operators_->inverse_shape(j).trace());
         heat +=
@@ -120,9 +110,8 @@ template <int Dim>
 double TwoFieldConduction<Dim>::wall_flux(int wall, const Vec3& place, double reach,
                                           const double* temperature,
                                           const std::vector<WallState>& surface) const {
-  const WallSettings& settings = walls_.walls()[wall].settings;
-  if (settings.heat != WallHeat::temperature) {
-    return settings.heat == WallHeat::flux ? surface[wall].flux : 0.0;
+  if (walls_.walls()[wall].settings.heat != WallHeat::temperature) {
+    return 0.0;
   }
   // The slope between the surface and the points next to it.
   double flux = 0.0, total = 0.0;

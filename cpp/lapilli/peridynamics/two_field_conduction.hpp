@@ -13,12 +13,12 @@ namespace lapilli {
 ///
 /// Without that term the alternating field has no gradient and is not smoothed; kept for
 /// comparison. Walls with a temperature take part with their first layer, which holds that
-/// temperature; walls with a flux with the flux prescribed there; adiabatic walls not at all. No
-/// convection.
+/// temperature; adiabatic walls not at all. Walls that prescribe a flux are refused: with the flux
+/// set at their points a fluid point gains its own flux as well, and 2.2 times the heat comes in.
 template <int Dim>
 class TwoFieldConduction final : public HeatExchange {
  public:
-  /// Throws std::invalid_argument for a wall with convection.
+  /// Throws std::invalid_argument for a wall with a flux or convection.
   TwoFieldConduction(Points& points, const WallSurface& walls,
                      const PeridynamicHeatSettings& settings, double conductivity);
 

@@ -218,13 +218,14 @@ TEST_CASE("a point pushed onto another comes loose") {
 namespace {
 
 /// Whether natural convection with a printed equation survives until `time`.
-bool survives(PrintedEquations printed, double time) {
+bool survives(PrintedEquations printed, double density_diffusion, double time) {
   const Layout layout = square(20);
   auto points = cavity::make_points(layout);
   auto walls = std::make_shared<WallSurface>(*points, cavity::make_walls(1.0, 0.0),
                                              cavity::box_distance(layout), layout.spacing());
   PeridynamicHeatSettings heat_settings;
   PeridynamicFlowSettings settings;
+  settings.density_diffusion = density_diffusion;
   Fluid fluid = cavity::unit_fluid();
   fluid.newtonian = {1.0, 0.71, 1.0, 0.5};
   fluid.bodies[0].temperature = 0.5;
@@ -246,7 +247,10 @@ bool survives(PrintedEquations printed, double time) {
 }  // namespace
 
 TEST_CASE("Eqs. 35 and 38 as printed blow up where the corrected ones run") {
-  REQUIRE(survives({}, 0.05));
-  REQUIRE_FALSE(survives({.old_stress = false, .towards_neighbours = true}, 0.05));
-  REQUIRE_FALSE(survives({.old_stress = true, .towards_neighbours = false}, 0.05));
+  // Eq. 35 lags the stress by a step, which lets sound grow; the paper has no density diffusion,
+  // ours (0.1) would hide it at this size.
+  REQUIRE(survives({}, 0.0, 0.05));
+  REQUIRE_FALSE(survives({.old_stress = true, .towards_neighbours = false}, 0.0, 0.05));
+  REQUIRE(survives({}, 0.1, 0.05));
+  REQUIRE_FALSE(survives({.old_stress = false, .towards_neighbours = true}, 0.1, 0.05));
 }
