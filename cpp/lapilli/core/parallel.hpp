@@ -36,12 +36,18 @@ void parallel_tasks(Index tasks, const Body& body) {
   }
 }
 
+/// What a loop does a row: loops of a few operations a row are worth a second thread only from many
+/// rows on.
+enum class Work { heavy, light };
+
 /// Call body(begin, end) over pieces of [0, rows).
 template <class Body>
-void parallel_ranges(Index rows, const Body& body) {
+void parallel_ranges(Index rows, const Body& body, Work work = Work::heavy) {
   const Index pieces = (rows + piece_rows - 1) / piece_rows;
 #ifdef _OPENMP
-  const int threads = static_cast<int>(std::min<Index>(thread_count(), pieces));
+  constexpr Index light_pieces = 64;
+  const bool pays = work == Work::heavy || pieces >= light_pieces;
+  const int threads = pays ? static_cast<int>(std::min<Index>(thread_count(), pieces)) : 1;
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
 #endif
   for (Index piece = 0; piece < pieces; ++piece) {
@@ -51,12 +57,13 @@ void parallel_ranges(Index rows, const Body& body) {
 
 /// Call body(row) for every row of [0, rows).
 template <class Body>
-void parallel_for(Index rows, const Body& body) {
-  parallel_ranges(rows, [&](Index begin, Index end) {
+void parallel_for(Index rows, const Body& body, Work work = Work::heavy) {
+  const auto each = [&](Index begin, Index end) {
     for (Index row = begin; row < end; ++row) {
       body(row);
     }
-  });
+  };
+  parallel_ranges(rows, each, work);
 }
 
 /// Sum of body(row) over [0, rows): pieces are summed on their own, then in order.

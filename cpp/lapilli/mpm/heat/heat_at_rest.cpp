@@ -184,19 +184,14 @@ void HeatAtRest<Dim>::hand_back_to_points() {
   double* temperature = temperature_.data();
   const double* increment = increment_.data();
   if (transfer_ == HeatTransfer::kept) {
-    parallel_ranges(size, [=](Index begin, Index end) {
-      for (Index place = begin; place < end; ++place) {
-        temperature[place] += increment[place];
-      }
-    });
+    parallel_for(
+        size, [=](Index place) { temperature[place] += increment[place]; }, Work::light);
     return;
   }
   double* updated = updated_.data();
-  parallel_ranges(size, [=](Index begin, Index end) {
-    for (Index place = begin; place < end; ++place) {
-      updated[place] = temperature[place] + increment[place];
-    }
-  });
+  parallel_for(
+      size, [=](Index place) { updated[place] = temperature[place] + increment[place]; },
+      Work::light);
   const double* inverse = inverse_.data();
   if (transfer_ == HeatTransfer::flip) {
     double* total = total_.data();

@@ -62,8 +62,7 @@ void PointGridTransfer<Dim>::clear(const CellOrder<Dim>& order) {
       }
     }
   };
-  parallel_ranges(last_ - first_,
-                  [&](Index begin, Index end) { clear_range(first_ + begin, first_ + end); });
+  for_active_nodes(clear_range);
   const auto [from, to] = order.node_layers();
   const Index layer = grid_.node_stride(Dim - 1);
   first_ = from * layer;

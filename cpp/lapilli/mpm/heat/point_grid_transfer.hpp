@@ -32,8 +32,9 @@ class PointGridTransfer {
   /// Run body(begin, end) over ranges of nodes that points can touch.
   template <class Body>
   void for_active_nodes(const Body& body) const {
-    parallel_ranges(last_ - first_,
-                    [&](Index begin, Index end) { body(first_ + begin, first_ + end); });
+    parallel_ranges(
+        last_ - first_, [&](Index begin, Index end) { body(first_ + begin, first_ + end); },
+        Work::light);
   }
 
   // By node of the grid, four more at the end for loads of whole rows; zero where inactive.
