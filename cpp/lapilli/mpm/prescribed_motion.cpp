@@ -102,6 +102,37 @@ std::vector<PlaceMap<Dim>> maps_at(const std::vector<std::optional<Motion>>& mot
   return maps;
 }
 
+/// Turn what points carry as gradients from their places at one time to those at another.
+template <int Dim>
+void carry_gradients(Points& points, const PointArray& start,
+                     const std::vector<PlaceMap<Dim>>& before,
+                     const std::vector<PlaceMap<Dim>>& after) {
+  // The same for all points of a rigid body; nothing at all where no body turns.
+  std::vector<std::optional<Mat<Dim>>> of_body(after.size());
+  bool turns = false;
+  for (std::size_t body = 0; body < after.size(); ++body) {
+    if (const auto* rigid = std::get_if<RigidMap<Dim>>(&after[body])) {
+      of_body[body] = rigid->turn * std::get<RigidMap<Dim>>(before[body]).turn.transpose();
+    }
+    turns = turns || !of_body[body] || !of_body[body]->isIdentity(0.0);
+  }
+  if (!turns) {
+    points.moved();
+    return;
+  }
+  points.moved<Dim>([&](Index row) -> Mat<Dim> {
+    const Index body = points.body()[row];
+    if (of_body[body]) {
+      return *of_body[body];
+    }
+    const Vec<Dim> from = Eigen::Map<const Vec<Dim>>(start.data() + row * Dim);
+    const auto at = [&](const std::vector<PlaceMap<Dim>>& maps) {
+      return std::get<SwirlMap<Dim>>(maps[body])(from).deformation;
+    };
+    return at(after) * at(before).inverse();
+  });
+}
+
 }  // namespace
 
 template <int Dim>
@@ -159,13 +190,7 @@ StepReport PrescribedMotion<Dim>::advance(const Step& step) {
         },
         after[body]);
   });
-  points_.moved<Dim>([&](Index row) -> Mat<Dim> {
-    const auto at = [&](const std::vector<PlaceMap<Dim>>& maps) {
-      return std::visit([&](const auto& map) { return map(start(row)).deformation; },
-                        maps[points_.body()[row]]);
-    };
-    return at(after) * at(before).inverse();
-  });
+  carry_gradients<Dim>(points_, start_, before, after);
   return {step.size, 0, 0.0};
 }
 
