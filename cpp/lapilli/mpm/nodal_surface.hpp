@@ -39,11 +39,16 @@ class OutsideCells {
  private:
   void mark_occupied(const Points& points);
   void close();
+  /// Each cell combined with its neighbours along every axis.
+  template <class Combine>
+  void sweep(std::vector<unsigned char>& cells, const Combine& combine);
   void take_in_swept();
   void flood();
 
   /// Of outside_: outside and open to the closing, or outside though the closing covers it.
   static constexpr unsigned char open = 1, narrow = 2;
+  /// Of body_, beside the number of a body: no point, or points of several bodies.
+  static constexpr int none = -1, shared = -2;
 
   Grid<Dim> grid_;
   int bodies_;

@@ -1,26 +1,12 @@
 #include <algorithm>
-#include <array>
+#include <atomic>
+#include <functional>
 
-#include "lapilli/core/require.hpp"
+#include "lapilli/core/parallel.hpp"
 #include "lapilli/mpm/nodal_surface.hpp"
 
 namespace lapilli {
 namespace {
-
-/// Offsets in the numbering of cells to a cell and its 3^Dim - 1 neighbours.
-template <int Dim>
-std::vector<Index> block_offsets(const Grid<Dim>& grid) {
-  std::vector<Index> offsets{0};
-  for (int axis = 0; axis < Dim; ++axis) {
-    const std::vector<Index> before = offsets;
-    for (const Index step : {-grid.cell_stride(axis), grid.cell_stride(axis)}) {
-      for (const Index offset : before) {
-        offsets.push_back(offset + step);
-      }
-    }
-  }
-  return offsets;
-}
 
 /// Whether a cell lies at least `margin` cells inside the padded grid.
 template <int Dim>
@@ -39,52 +25,62 @@ bool is_inner(const Grid<Dim>& grid, Index cell, int margin) {
 template <int Dim>
 void OutsideCells<Dim>::mark_occupied(const Points& points) {
   occupied_.assign(static_cast<std::size_t>(grid_.cell_count()), 0);
-  if (bodies_ > 1) {
-    body_.assign(occupied_.size(), -1);
+  const auto cell_of = [&](Index row) {
+    return grid_.cell_index(grid_.cell_containing(points.position<Dim>(row)));
+  };
+  if (bodies_ == 1) {
+    parallel_for(points.size(), [&](Index row) {
+      std::atomic_ref(occupied_[cell_of(row)]).store(1, std::memory_order_relaxed);
+    });
+    return;
   }
+  body_.assign(occupied_.size(), none);
   for (Index row = 0; row < points.size(); ++row) {
-    const Index cell = grid_.cell_index(grid_.cell_containing(points.position<Dim>(row)));
+    const Index cell = cell_of(row);
     occupied_[cell] = 1;
-    if (bodies_ > 1) {
-      // A cell that two bodies share belongs to both: -2.
-      const int body = static_cast<int>(points.body()[row]);
-      body_[cell] = body_[cell] == -1 || body_[cell] == body ? body : -2;
-    }
+    const int body = static_cast<int>(points.body()[row]);
+    body_[cell] = body_[cell] == none || body_[cell] == body ? body : shared;
   }
 }
 
 template <int Dim>
 void OutsideCells<Dim>::close() {
   closed_ = occupied_;
-  const auto offsets = block_offsets(grid_);
-  const Index count = grid_.cell_count();
-  // Only an empty cell beside an occupied one can be closed.
-  std::vector<Index> candidates;
-  for (Index cell = 0; cell < count; ++cell) {
-    if (occupied_[cell] != 0) {
-      for (const Index offset : offsets) {
-        if (occupied_[cell + offset] == 0) {
-          candidates.push_back(cell + offset);
-        }
+  for (int body = 0; body < bodies_; ++body) {
+    // Dilated and eroded by a box of three cells, an axis at a time. The padding keeps points away
+    // from the ends of the numbering, where neighbours would be those of another row.
+    std::vector<unsigned char> cells = occupied_;
+    if (bodies_ > 1) {
+      for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+        cells[cell] = body_[cell] == body || body_[cell] == shared;
       }
     }
+    sweep(cells, std::bit_or<>());
+    sweep(cells, std::bit_and<>());
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+      closed_[cell] |= cells[cell];
+    }
   }
-  std::sort(candidates.begin(), candidates.end());
-  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  const auto near_body = [&](Index cell, int body) {
-    return std::any_of(offsets.begin(), offsets.end(), [&](Index offset) {
-      const Index at = cell + offset;
-      return occupied_[at] != 0 && (bodies_ == 1 || body_[at] == body || body_[at] == -2);
-    });
-  };
-  for (const Index cell : candidates) {
-    if (!is_inner(grid_, cell, 2)) {
-      continue;
-    }
-    for (int body = 0; body < bodies_ && closed_[cell] == 0; ++body) {
-      closed_[cell] = std::all_of(offsets.begin(), offsets.end(),
-                                  [&](Index offset) { return near_body(cell + offset, body); });
-    }
+}
+
+template <int Dim>
+template <class Combine>
+void OutsideCells<Dim>::sweep(std::vector<unsigned char>& cells, const Combine& combine) {
+  std::vector<unsigned char> swept(cells.size(), 0);
+  for (int axis = 0; axis < Dim; ++axis) {
+    const Index stride = grid_.cell_stride(axis);
+    const unsigned char* from = cells.data() + stride;
+    unsigned char* to = swept.data() + stride;
+    parallel_for(
+        grid_.cell_count() - 2 * stride,
+        [=](Index k) {
+          to[k] = static_cast<unsigned char>(
+              combine(combine(from[k - stride], from[k]), from[k + stride]));
+        },
+        Work::light);
+    std::fill_n(swept.begin(), stride, 0);
+    std::fill_n(swept.end() - stride, stride, 0);
+    cells.swap(swept);
   }
 }
 
