@@ -1,11 +1,12 @@
 #include "lapilli/mpm/corner_fit.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "lapilli/core/parallel.hpp"
+#include "lapilli/core/quad.hpp"
 
 namespace lapilli {
 namespace {
@@ -29,11 +30,18 @@ double eighth_power(double x) {
   return square * square * square * square;
 }
 
-/// Turning angle, in degrees, of two faces whose area vectors add up to `sum` out of `length`.
-double turn_of(double sum, double length) {
-  const double coherence = length > 0.0 ? std::clamp(sum / length, 0.0, 1.0) : 1.0;
-  return 2.0 * std::acos(coherence) * 180.0 / std::numbers::pi;
+/// Length of the sum of area vectors over the sum of their lengths: one where they agree.
+template <int Dim>
+double coherence(const Quad& sum) {
+  double squares = 0.0;
+  for (int axis = 0; axis < Dim; ++axis) {
+    squares += sum[axis] * sum[axis];
+  }
+  return sum[Dim] > 0.0 ? std::min(1.0, std::sqrt(squares) / sum[Dim]) : 1.0;
 }
+
+/// Turning angle, in degrees, of two faces whose area vectors add up with this coherence.
+double turn_of(double coherence) { return 2.0 * std::acos(coherence) * 180.0 / std::numbers::pi; }
 
 /// Area vectors and what the fit asks of them: those around a node, smoothed or as they are.
 template <int Dim>
@@ -56,15 +64,23 @@ class AreaVectors {
     }
     std::stable_sort(offsets_.begin(), offsets_.end(),
                      [](const Offset& a, const Offset& b) { return a.distance < b.distance; });
-    std::vector<double> scratch;
-    length_.assign(raw.size(), 0.0);
+    const auto count = static_cast<Index>(raw.size());
+    std::vector<double> component(raw.size()), scratch;
+    smoothed_.assign(4 * raw.size(), 0.0);
     for (int axis = 0; axis < Dim; ++axis) {
-      smoothed_[axis].resize(raw.size());
-      parallel_for(static_cast<Index>(raw.size()),
-                   [&](Index node) { smoothed_[axis][node] = raw[node][axis]; });
-      smooth_nodes(grid, smoothed_[axis], scratch);
+      parallel_for(
+          count, [&](Index node) { component[node] = raw[node][axis]; }, Work::light);
+      smooth_nodes(grid, component, scratch);
+      parallel_for(
+          count, [&](Index node) { smoothed_[4 * node + axis] = component[node]; }, Work::light);
     }
-    parallel_for(grid.node_count(), [&](Index node) { length_[node] = smoothed(node).norm(); });
+    parallel_for(
+        count,
+        [&](Index node) {
+          Eigen::Map<Eigen::Vector4d> a(smoothed_.data() + 4 * node);
+          a[Dim] = a.template head<Dim>().norm();
+        },
+        Work::light);
   }
 
   /// Call body(node, distance in cells) for the nodes of the grid within `radius`, nearest first.
@@ -92,15 +108,8 @@ class AreaVectors {
   }
 
   const Vec<Dim>& raw(Index node) const { return raw_[node]; }
-  /// Smoothed once by 1/4, 1/2, 1/4 along every axis.
-  Vec<Dim> smoothed(Index node) const {
-    Vec<Dim> a;
-    for (int axis = 0; axis < Dim; ++axis) {
-      a[axis] = smoothed_[axis][node];
-    }
-    return a;
-  }
-  double smoothed_length(Index node) const { return length_[node]; }
+  /// Smoothed once by 1/4, 1/2, 1/4 along every axis, followed by its length.
+  Quad smoothed(Index node) const { return load_quad(smoothed_.data() + 4 * node); }
 
  private:
   struct Offset {
@@ -112,27 +121,69 @@ class AreaVectors {
   const Grid<Dim>& grid_;
   const std::vector<Vec<Dim>>& raw_;
   std::vector<Offset> offsets_;
-  std::array<std::vector<double>, Dim> smoothed_;
-  std::vector<double> length_;
+  std::vector<double> smoothed_;
 };
 
 /// One where the surface turns within the near ball as a corner does, zero on curves and on small
 /// closed bodies, whose turn grows with the distance looked at.
 template <int Dim>
 double guard(const AreaVectors<Dim>& vectors, Index node) {
-  Vec<Dim> inner = Vec<Dim>::Zero(), outer = Vec<Dim>::Zero();
-  double inner_length = 0.0, outer_length = 0.0;
+  Quad inner{}, outer{};
   vectors.around(node, far_radius, [&](Index at, double distance) {
     (distance <= near_radius ? inner : outer) += vectors.smoothed(at);
-    (distance <= near_radius ? inner_length : outer_length) += vectors.smoothed_length(at);
   });
-  const double turn_in = turn_of(inner.norm(), inner_length);
-  const double turn_out = turn_of(outer.norm(), outer_length);
-  const double turn_all = turn_of((inner + outer).norm(), inner_length + outer_length);
+  const double turn_in = turn_of(coherence<Dim>(inner));
+  const double turn_out = turn_of(coherence<Dim>(outer));
+  const double turn_all = turn_of(coherence<Dim>(inner + outer));
   const double growth = turn_out / std::max(turn_in, least_turn);
   return smoothstep((growth_to - growth) / (growth_to - growth_from)) *
          std::clamp((closed_turn - turn_all) / closed_width, 0.0, 1.0);
 }
+
+/// What one node asks of its neighbours: w with w . a = target for the faces on its own side.
+template <int Dim>
+struct Fit {
+  struct Neighbour {
+    int row;
+    Vec<Dim> pull;  // of its target on the right-hand side
+  };
+
+  std::vector<Neighbour> neighbours;
+  Mat<Dim> inverse = Mat<Dim>::Zero();
+  double lambda = 0.0;
+
+  Fit() = default;
+  /// `row_of` gives the row of a node in `areas`, or -1.
+  Fit(const AreaVectors<Dim>& vectors, const NodalAreas<Dim>& areas,
+      const std::vector<double>& trust, std::span<const int> row_of, Index k) {
+    Mat<Dim> matrix = Mat<Dim>::Zero();
+    vectors.around(areas.node[k], near_radius, [&](Index at, double distance) {
+      const Vec<Dim>& a = vectors.raw(at);
+      if (distance > 0.0 && row_of[at] >= 0 && a.dot(areas.normal[k]) > 0.0) {
+        const Vec<Dim> pull = trust[row_of[at]] / a.norm() * a;
+        matrix += pull * a.transpose();
+        neighbours.push_back({row_of[at], pull});
+      }
+    });
+    lambda = regularisation * matrix.trace();
+    if (lambda > 0.0) {
+      matrix += lambda * Mat<Dim>::Identity();
+      inverse = matrix.inverse();
+    }
+  }
+
+  Vec<Dim> solve(const std::vector<double>& target, const Vec<Dim>& normal) const {
+    if (!(lambda > 0.0)) {
+      return normal;
+    }
+    Vec<Dim> right = lambda * normal;
+    for (const Neighbour& neighbour : neighbours) {
+      right += target[neighbour.row] * neighbour.pull;
+    }
+    const Vec<Dim> w = inverse * right;
+    return std::min(1.0, longest / w.norm()) * w;
+  }
+};
 
 }  // namespace
 
@@ -140,68 +191,61 @@ template <int Dim>
 void fit_corners(const Grid<Dim>& grid, const NodalSums<Dim>& sums, NodalAreas<Dim>& areas) {
   const AreaVectors<Dim> vectors(grid, sums.area_vector);
   const auto count = static_cast<Index>(areas.node.size());
-  const auto row_of = [&](Index node) -> Index {
-    const auto found = std::lower_bound(areas.node.begin(), areas.node.end(), node);
-    return found != areas.node.end() && *found == node ? found - areas.node.begin() : -1;
-  };
 
   // Coherence of the area vectors on each node's own side, and the ramp it gives.
   std::vector<double> trust(areas.node.size()), ramp(areas.node.size()), target(areas.node.size());
   parallel_for(count, [&](Index k) {
-    Vec<Dim> sum = Vec<Dim>::Zero();
-    double length = 0.0;
+    Quad normal{}, sum{};
+    for (int axis = 0; axis < Dim; ++axis) {
+      normal[axis] = areas.normal[k][axis];
+    }
     vectors.around(areas.node[k], near_radius, [&](Index at, double) {
-      const Vec<Dim> a = vectors.smoothed(at);
-      if (a.dot(areas.normal[k]) > 0.0) {
+      const Quad a = vectors.smoothed(at), along = a * normal;
+      if ((along[0] + along[1]) + along[2] > 0.0) {
         sum += a;
-        length += vectors.smoothed_length(at);
       }
     });
-    trust[k] = length > 0.0 ? eighth_power(std::min(1.0, sum.norm() / length)) : 0.0;
-    ramp[k] = smoothstep((turn_of(sum.norm(), length) - ramp_from) / (ramp_to - ramp_from));
+    const double agreement = coherence<Dim>(sum);
+    trust[k] = sum[Dim] > 0.0 ? eighth_power(agreement) : 0.0;
+    ramp[k] = smoothstep((turn_of(agreement) - ramp_from) / (ramp_to - ramp_from));
     target[k] = vectors.raw(areas.node[k]).norm();
   });
+  std::vector<int> row_of(sums.area_vector.size(), -1);
   std::vector<Index> corners;
   for (Index k = 0; k < count; ++k) {
+    row_of[areas.node[k]] = static_cast<int>(k);
     if (ramp[k] > 0.0) {
       corners.push_back(k);
     }
   }
-
-  std::vector<Vec<Dim>> fitted(areas.node.size());
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (const Index k : corners) {
-      Mat<Dim> matrix = Mat<Dim>::Zero();
-      Vec<Dim> right = Vec<Dim>::Zero();
-      vectors.around(areas.node[k], near_radius, [&](Index at, double distance) {
-        const Vec<Dim>& a = vectors.raw(at);
-        const Index row = row_of(at);
-        if (distance > 0.0 && row >= 0 && a.dot(areas.normal[k]) > 0.0) {
-          const double weight = trust[row] / a.norm();
-          matrix += weight * a * a.transpose();
-          right += weight * target[row] * a;
-        }
-      });
-      const double lambda = regularisation * matrix.trace();
-      if (!(lambda > 0.0)) {
-        fitted[k] = areas.normal[k];
-        continue;
+  const auto for_each_corner = [&](const auto& body) {
+    constexpr Index chunk = 64;
+    const auto all = static_cast<Index>(corners.size());
+    parallel_tasks((all + chunk - 1) / chunk, [&](Index task) {
+      for (Index c = task * chunk; c < std::min(all, (task + 1) * chunk); ++c) {
+        body(c, corners[c]);
       }
-      matrix += lambda * Mat<Dim>::Identity();
-      Vec<Dim> w = matrix.ldlt().solve(right + lambda * areas.normal[k]);
-      w *= std::min(1.0, longest / w.norm());
-      fitted[k] = areas.normal[k] + ramp[k] * (w - areas.normal[k]);
-    }
-    for (const Index k : corners) {
+    });
+  };
+  std::vector<Fit<Dim>> fits(corners.size());
+  for_each_corner([&](Index c, Index k) { fits[c] = {vectors, areas, trust, row_of, k}; });
+
+  std::vector<Vec<Dim>> fitted(corners.size());
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for_each_corner([&](Index c, Index k) {
+      const Vec<Dim> w = fits[c].solve(target, areas.normal[k]);
+      fitted[c] = areas.normal[k] + ramp[k] * (w - areas.normal[k]);
+    });
+    for_each_corner([&](Index c, Index k) {
       const Vec<Dim>& a = vectors.raw(areas.node[k]);
-      target[k] = std::max(a.norm(), fitted[k].dot(a));
-    }
+      target[k] = std::max(a.norm(), fitted[c].dot(a));
+    });
   }
-  for (const Index k : corners) {
+  for_each_corner([&](Index c, Index k) {
     const Vec<Dim> w =
-        areas.normal[k] + guard(vectors, areas.node[k]) * (fitted[k] - areas.normal[k]);
+        areas.normal[k] + guard(vectors, areas.node[k]) * (fitted[c] - areas.normal[k]);
     areas.area[k] = w.dot(vectors.raw(areas.node[k]));
-  }
+  });
 }
 
 template <>

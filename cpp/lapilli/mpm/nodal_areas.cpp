@@ -49,13 +49,12 @@ void smooth_nodes(const Grid<Dim>& grid, std::vector<double>& values,
     const Index stride = grid.node_stride(axis), count = grid.node_count();
     std::fill(scratch.begin(), scratch.begin() + stride, 0.0);
     std::fill(scratch.end() - stride, scratch.end(), 0.0);
-    parallel_ranges(count - 2 * stride, [&](Index begin, Index end) {
-      const double* from = values.data();
-      double* to = scratch.data();
-      for (Index k = begin + stride; k < end + stride; ++k) {
-        to[k] = 0.5 * from[k] + 0.25 * (from[k - stride] + from[k + stride]);
-      }
-    });
+    const double* from = values.data() + stride;
+    double* to = scratch.data() + stride;
+    parallel_for(
+        count - 2 * stride,
+        [=](Index k) { to[k] = 0.5 * from[k] + 0.25 * (from[k - stride] + from[k + stride]); },
+        Work::light);
     values.swap(scratch);
   }
 }
