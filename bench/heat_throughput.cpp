@@ -93,7 +93,7 @@ void heat(benchmark::State& state, const Setting& setting) {
 }
 
 #define LAPILLI_BENCH(name, ...) \
-  BENCHMARK_CAPTURE(heat, name, Setting{__VA_ARGS__})->Arg(1)->Arg(2)->UseRealTime()->MinTime(1.0)
+  BENCHMARK_CAPTURE(heat, name, Setting{__VA_ARGS__})->Arg(1)->Arg(2)->UseRealTime()
 
 constexpr auto linear = ShapeFunction::linear;
 constexpr auto gimp = ShapeFunction::gimp;
