@@ -74,7 +74,7 @@ inline void fill_clipped(Points& points, const Grid<2>& grid, const Shape& shape
 /// One wall of a linear problem: an open line, and its motion.
 struct LineWall {
   Corners line;  // the material on its left
-  WallKind kind = WallKind::fixed;
+  HeldMotion kind = HeldMotion::fixed;
   Vec<2> motion = Vec<2>::Zero();
 };
 

@@ -19,9 +19,9 @@ struct Ring {
     fill_clipped(points, grid, Annulus{{0.0, 0.0}, inner, outer}, 4);
     QuasiStaticSettings settings;
     settings.walls.push_back(
-        {"hole", WallKind::fixed, {Disk{{0.0, 0.0}, inner}, false, {}, {}}, std::move(motion)});
+        {"hole", HeldMotion::fixed, {Disk{{0.0, 0.0}, inner}, false, {}, {}}, std::move(motion)});
     settings.walls.push_back(
-        {"rim", WallKind::roller, {Disk{{0.0, 0.0}, outer}, true, {}, {}}, {}});
+        {"rim", HeldMotion::roller, {Disk{{0.0, 0.0}, outer}, true, {}, {}}, {}});
     start.assign(points.position().begin(), points.position().end());
     physics = std::make_unique<QuasiStatic<2>>(points, grid, ShapeFunction::linear,
                                                std::vector{elastic}, settings);

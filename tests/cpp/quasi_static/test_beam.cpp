@@ -15,7 +15,7 @@ double corner_deflection(double h, int m, const WallScheme& scheme, double ghost
   const Grid<2> grid(Vec<2>(-shift, 0.0), Vec<2>(100.0 - shift + (shift > 0.0 ? h : 0.0), 100.0),
                      h);
   LinearProblem problem(grid, polygon(c), m);
-  problem.solve({{{c[3], c[0]}, WallKind::fixed}}, scheme, ghost, {0.0, -1.0});
+  problem.solve({{{c[3], c[0]}, HeldMotion::fixed}}, scheme, ghost, {0.0, -1.0});
   // The corner's displacement from the linear functions of its cell.
   const double x = (100.0 - grid.lower()[0]) / h - 1e-12;
   const auto i = static_cast<int>(x) + Grid<2>::padding, j = Grid<2>::padding;

@@ -34,10 +34,10 @@ BlockErrors solve_block(double degrees, const BlockOptions& options = {}) {
     }
     problem.points.moved();
   }
-  problem.solve({{{c[3], c[0]}, WallKind::roller},
-                 {{c[0], c[1]}, WallKind::roller},
-                 {{c[1], c[2]}, WallKind::roller, block.e1},
-                 {{c[2], c[3]}, WallKind::roller}},
+  problem.solve({{{c[3], c[0]}, HeldMotion::roller},
+                 {{c[0], c[1]}, HeldMotion::roller},
+                 {{c[1], c[2]}, HeldMotion::roller, block.e1},
+                 {{c[2], c[3]}, HeldMotion::roller}},
                 options.scheme, options.ghost, Vec<2>::Zero(), [&](Facet<2>& facet) {
                   for (auto& point : facet.points) {
                     point.normal[1] *= options.mirror_normals ? -1.0 : 1.0;

@@ -35,7 +35,7 @@ CubeErrors solve_cube(const Mat3& turn, WallForm form) {
       const Vec3 at = origin + end * size * turn.col(axis);
       const Vec3 out = (end ? 1.0 : -1.0) * turn.col(axis);
       const HalfSpace half{{at[0], at[1], at[2]}, {out[0], out[1], out[2]}};
-      WallSettings wall{"side", WallKind::roller, {half, true, {}, {}}, {}};
+      WallSettings wall{"side", HeldMotion::roller, {half, true, {}, {}}, {}};
       if (axis == 0 && end == 1) {
         for (int k = 0; k < 3; ++k) {
           wall.displacement.push_back(Table{{0.0, 1.0}, {0.0, 0.01 * size * turn(k, 0)}});

@@ -18,7 +18,7 @@ double compliance_error(double degrees, double h, const WallScheme& scheme, doub
   const Corners c = beam.corners();
   LinearProblem problem(grid_around(c, h), polygon(c), 3);
   const Vec<2> load = -1e-4 * beam.e2;
-  problem.solve({{{c[1], c[2]}, WallKind::fixed}}, scheme, ghost, load);
+  problem.solve({{{c[1], c[2]}, HeldMotion::fixed}}, scheme, ghost, load);
   CHECK(problem.pivots.not_positive == 0);
   double work = 0.0;
   for (Index p = 0; p < problem.points.size(); ++p) {
@@ -50,7 +50,7 @@ Bending bend(double degrees, double h, int m, WallForm form, ShapeFunction shape
   settings.bandwidth = 1e-6;
   settings.ghost = 0.01;
   settings.rebalance = false;  // as the reference was run
-  settings.walls.push_back({"end", WallKind::fixed, {{}, false, numbers({c[1], c[2]}), {}}, {}});
+  settings.walls.push_back({"end", HeldMotion::fixed, {{}, false, numbers({c[1], c[2]}), {}}, {}});
   for (int axis = 0; axis < 2; ++axis) {
     settings.body_force.push_back(Table{{0.0, 1.0}, {0.0, -0.2 * beam.e2[axis]}});
   }

@@ -19,9 +19,9 @@ ColumnErrors solve_column(double degrees, double h, const WallScheme& scheme) {
   const Rectangle column = Rectangle::turned(degrees, h * Vec<2>(0.13, 0.29), size, size);
   const Corners c = column.corners();
   LinearProblem problem(grid_around(c, h), polygon(c), 3);
-  problem.solve({{{c[3], c[0]}, WallKind::roller},
-                 {{c[1], c[2]}, WallKind::roller},
-                 {{c[0], c[1]}, WallKind::roller}},
+  problem.solve({{{c[3], c[0]}, HeldMotion::roller},
+                 {{c[1], c[2]}, HeldMotion::roller},
+                 {{c[0], c[1]}, HeldMotion::roller}},
                 scheme, 0.01, -b * column.e2);
   double error = 0.0, norm = 0.0, stress_error = 0.0, stress_norm = 0.0;
   for (Index p = 0; p < problem.points.size(); ++p) {

@@ -23,11 +23,11 @@ Pressed press(int steps, ShapeFunction shape, const QuasiStaticSettings& form) {
   Points points(2);
   fill_clipped(points, grid, Box{{0.0, 0.0}, {3.0, 3.0}}, 2);
   QuasiStaticSettings settings = form;
-  settings.walls = {{"left", WallKind::roller, {{}, false, {{0.0, 3.0}, {0.0, 0.0}}, {}}, {}},
-                    {"right", WallKind::roller, {{}, false, {{3.0, 0.0}, {3.0, 3.0}}, {}}, {}},
-                    {"base", WallKind::roller, {{}, false, {{0.0, 0.0}, {3.0, 0.0}}, {}}, {}},
+  settings.walls = {{"left", HeldMotion::roller, {{}, false, {{0.0, 3.0}, {0.0, 0.0}}, {}}, {}},
+                    {"right", HeldMotion::roller, {{}, false, {{3.0, 0.0}, {3.0, 3.0}}, {}}, {}},
+                    {"base", HeldMotion::roller, {{}, false, {{0.0, 0.0}, {3.0, 0.0}}, {}}, {}},
                     {"footing",
-                     WallKind::fixed,
+                     HeldMotion::fixed,
                      {{}, false, {{2.0, 3.0}, {1.0, 3.0}}, {}},
                      {0.0, Table{{0.0, 1.0}, {0.0, -1.0}}}}};
   QuasiStatic<2> physics(points, grid, shape, {elastic}, settings);

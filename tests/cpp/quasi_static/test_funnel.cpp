@@ -41,10 +41,10 @@ Pushed push(double h, WallForm form, double bandwidth) {
   for (double x = 140.0; x > -0.5 * h; x -= h) {
     top.push_back({x, roof(x)});
   }
-  settings.walls = {{"roof", WallKind::roller, {{}, false, numbers(top), {}}, {}},
-                    {"floor", WallKind::roller, {{}, false, {{0.0, 0.0}, {140.0, 0.0}}, {}}, {}},
+  settings.walls = {{"roof", HeldMotion::roller, {{}, false, numbers(top), {}}, {}},
+                    {"floor", HeldMotion::roller, {{}, false, {{0.0, 0.0}, {140.0, 0.0}}, {}}, {}},
                     {"piston",
-                     WallKind::roller,
+                     HeldMotion::roller,
                      {{}, false, {{0.0, 40.0}, {0.0, 0.0}}, {}},
                      {Table{{0.0, 1.0}, {0.0, push_length}}}}};
   QuasiStatic<2> physics(points, grid, ShapeFunction::linear, {elastic}, settings);

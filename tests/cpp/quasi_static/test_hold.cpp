@@ -50,7 +50,7 @@ Drift hold_block(double degrees) {
   const auto wall = [](const char* name, const Vec<2>& at, const Vec<2>& out,
                        std::vector<Value> motion) {
     const Shape half = HalfSpace{{at[0], at[1]}, {out[0], out[1]}};
-    return WallSettings{name, WallKind::roller, {half, true, {}, {}}, std::move(motion)};
+    return WallSettings{name, HeldMotion::roller, {half, true, {}, {}}, std::move(motion)};
   };
   QuasiStaticSettings settings;
   settings.walls = {
@@ -75,7 +75,7 @@ Drift hold_cantilever(double h, int m) {
   Points points(2);
   fill_clipped(points, grid, polygon(c), m);
   QuasiStaticSettings settings;
-  settings.walls.push_back({"end", WallKind::fixed, {{}, false, numbers({c[1], c[2]}), {}}, {}});
+  settings.walls.push_back({"end", HeldMotion::fixed, {{}, false, numbers({c[1], c[2]}), {}}, {}});
   for (int axis = 0; axis < 2; ++axis) {
     settings.body_force.push_back(Table{{0.0, 1.0}, {0.0, -0.02 * beam.e2[axis]}});
   }
@@ -92,11 +92,11 @@ Drift hold_footing(double h, int m) {
   fill_clipped(points, grid, Box{{0.0, 0.0}, {3.0, 3.0}}, m);
   QuasiStaticSettings settings;
   settings.bandwidth = 1e-6;
-  settings.walls = {{"left", WallKind::roller, {{}, false, {{0.0, 3.0}, {0.0, 0.0}}, {}}, {}},
-                    {"right", WallKind::roller, {{}, false, {{3.0, 0.0}, {3.0, 3.0}}, {}}, {}},
-                    {"base", WallKind::roller, {{}, false, {{0.0, 0.0}, {3.0, 0.0}}, {}}, {}},
+  settings.walls = {{"left", HeldMotion::roller, {{}, false, {{0.0, 3.0}, {0.0, 0.0}}, {}}, {}},
+                    {"right", HeldMotion::roller, {{}, false, {{3.0, 0.0}, {3.0, 3.0}}, {}}, {}},
+                    {"base", HeldMotion::roller, {{}, false, {{0.0, 0.0}, {3.0, 0.0}}, {}}, {}},
                     {"footing",
-                     WallKind::fixed,
+                     HeldMotion::fixed,
                      {{}, false, {{2.0, 3.0}, {1.0, 3.0}}, {}},
                      {0.0, Table{{0.0, 1.0}, {0.0, -0.3}}}}};
   QuasiStatic<2> physics(points, grid, ShapeFunction::gimp, {elastic}, settings);

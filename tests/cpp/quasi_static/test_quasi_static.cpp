@@ -15,7 +15,7 @@ HalfSpace side(double x, double y, double out_x, double out_y) {
   return HalfSpace{{x, y}, {out_x, out_y}};
 }
 
-WallSettings wall(const char* name, WallKind kind, const Shape& shape, bool inside,
+WallSettings wall(const char* name, HeldMotion kind, const Shape& shape, bool inside,
                   std::vector<Value> displacement = {}) {
   return {name, kind, {shape, inside, {}, {}}, std::move(displacement)};
 }
@@ -26,8 +26,8 @@ struct Block {
     fill_clipped(points, grid, polygon(block.corners()), 2);
     const Vec<2> a = block.corner;
     settings.walls = {
-        wall("left", WallKind::roller, side(a[0], a[1], -block.e1[0], -block.e1[1]), true),
-        wall("base", WallKind::roller, side(a[0], a[1], -block.e2[0], -block.e2[1]), true)};
+        wall("left", HeldMotion::roller, side(a[0], a[1], -block.e1[0], -block.e1[1]), true),
+        wall("base", HeldMotion::roller, side(a[0], a[1], -block.e2[0], -block.e2[1]), true)};
     settings.body_force = {Table{{0.0, 1.0}, {0.0, 3.0 * -block.e2[0]}},
                            Table{{0.0, 1.0}, {0.0, 3.0 * -block.e2[1]}}};
   }
@@ -140,8 +140,8 @@ TEST_CASE("quasi-static: a traction stretches a bar") {
   const Grid<2> grid(Vec<2>(-1.0, -1.0), Vec<2>(6.0, 4.0), 1.0);
   fill_clipped(points, grid, Box{{0.3, 0.0}, {4.6, 3.0}}, 2);
   QuasiStaticSettings settings;
-  settings.walls = {wall("left", WallKind::roller, side(0.3, 0.0, -1.0, 0.0), true),
-                    wall("base", WallKind::roller, side(0.0, 0.0, 0.0, -1.0), true)};
+  settings.walls = {wall("left", HeldMotion::roller, side(0.3, 0.0, -1.0, 0.0), true),
+                    wall("base", HeldMotion::roller, side(0.0, 0.0, 0.0, -1.0), true)};
   settings.walls[0].surface.within = Box{{0.0, 0.0}, {1.0, 3.0}};
   settings.walls[1].surface.within = Box{{0.3, -1.0}, {4.6, 1.0}};
   settings.tractions = {{"pull", {{}, false, {{4.6, 0.0}, {4.6, 3.0}}, {}}, {2.5, 0.0}}};
@@ -157,10 +157,10 @@ TEST_CASE("quasi-static: a traction stretches a bar") {
 
 TEST_CASE("quasi-static: a wall that cuts nothing is refused by name") {
   Block block;
-  block.settings.walls.push_back(wall("far", WallKind::fixed, side(5.5, 0.0, 1.0, 0.0), true));
+  block.settings.walls.push_back(wall("far", HeldMotion::fixed, side(5.5, 0.0, 1.0, 0.0), true));
   CHECK_THAT(block.refusal(), Contains("wall 'far' cuts no material"));
   Block wrong_side;
-  wrong_side.settings.walls.push_back({"line", WallKind::fixed, {}, {}});
+  wrong_side.settings.walls.push_back({"line", HeldMotion::fixed, {}, {}});
   CHECK_THAT(wrong_side.refusal(), Contains("wall 'line' needs either a shape or a line"));
 }
 
@@ -191,7 +191,7 @@ TEST_CASE("quasi-static: the rigid motion that is left is named") {
   const Grid<2> grid(Vec<2>(-6.0, -6.0), Vec<2>(6.0, 6.0), 1.0);
   fill_clipped(points, grid, Annulus{{0.2, 0.1}, 2.0, 4.5}, 2);
   QuasiStaticSettings settings;
-  settings.walls = {wall("rim", WallKind::roller, Disk{{0.2, 0.1}, 4.5}, true)};
+  settings.walls = {wall("rim", HeldMotion::roller, Disk{{0.2, 0.1}, 4.5}, true)};
   QuasiStatic<2> physics(points, grid, ShapeFunction::linear, {elastic}, settings);
   CHECK_THROWS_WITH(physics.advance({0.0, 1.0, 0}), Contains("rotation about (0.2, 0.1)"));
 }
@@ -230,7 +230,7 @@ TEST_CASE("quasi-static: an indefinite matrix is refused") {
   settings.wall_form = WallForm::nitsche;
   settings.gap_bandwidth = 1.0;
   settings.ghost = 0.0;
-  settings.walls = {{"left", WallKind::fixed, {{}, false, {{0.999, 3.0}, {0.999, 0.0}}, {}}, {}}};
+  settings.walls = {{"left", HeldMotion::fixed, {{}, false, {{0.999, 3.0}, {0.999, 0.0}}, {}}, {}}};
   QuasiStatic<2> physics(points, grid, ShapeFunction::linear, {elastic}, settings);
   CHECK_THROWS_WITH(physics.advance({0.0, 1.0, 0}),
                     Contains("not positive definite") && Contains("wall 'left'"));

@@ -13,10 +13,10 @@ namespace {
 double shear_error(double left, const WallScheme& scheme, double ghost) {
   const Corners c = Rectangle::turned(0.0, {left, 0.0}, 100.0, 100.0).corners();
   LinearProblem problem(Grid<2>({0.0, 0.0}, {200.0, 100.0}, 100.0), polygon(c), 20);
-  problem.solve({{{c[3], c[0]}, WallKind::fixed},
-                 {{c[1], c[2]}, WallKind::fixed, {0.0, 10.0}},
-                 {{c[0], c[1]}, WallKind::tangent},
-                 {{c[2], c[3]}, WallKind::tangent}},
+  problem.solve({{{c[3], c[0]}, HeldMotion::fixed},
+                 {{c[1], c[2]}, HeldMotion::fixed, {0.0, 10.0}},
+                 {{c[0], c[1]}, HeldMotion::tangent},
+                 {{c[2], c[3]}, HeldMotion::tangent}},
                 scheme, ghost);
   const double exact = 0.1 * elastic.shear_modulus();
   double error = 0.0;

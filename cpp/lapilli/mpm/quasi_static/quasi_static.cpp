@@ -356,7 +356,7 @@ double QuasiStatic<Dim>::deepest_penetration(const std::vector<Vec<Dim>>& moves,
     }
     for (std::size_t w = 0; w < walls_.size(); ++w) {
       const MovingSurface<Dim>& wall = walls_[w];
-      if (kinds_[w] == WallKind::tangent) {
+      if (kinds_[w] == HeldMotion::tangent) {
         continue;  // free across its face
       }
       const auto start = wall.gap(in_space<Dim>(before), from);

@@ -87,7 +87,7 @@ class QuasiStatic final : public Physics {
   WallScheme scheme_;
   double ghost_ = 0.0;
   std::vector<MovingSurface<Dim>> walls_, tractions_;
-  std::vector<WallKind> kinds_;
+  std::vector<HeldMotion> kinds_;
   std::vector<std::string> names_;
 
   PointArray stress_;                       // Pa, rows x 6

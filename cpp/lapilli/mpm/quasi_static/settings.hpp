@@ -11,12 +11,13 @@
 namespace lapilli {
 
 /// What a wall holds: all motion, motion along its normal, or motion along its face.
-enum class WallKind { fixed, roller, tangent };
+enum class HeldMotion { fixed, roller, tangent };
 
 template <>
-struct Names<WallKind> {
-  static constexpr std::pair<WallKind, const char*> values[] = {
-      {WallKind::fixed, "fixed"}, {WallKind::roller, "roller"}, {WallKind::tangent, "tangent"}};
+struct Names<HeldMotion> {
+  static constexpr std::pair<HeldMotion, const char*> values[] = {{HeldMotion::fixed, "fixed"},
+                                                                  {HeldMotion::roller, "roller"},
+                                                                  {HeldMotion::tangent, "tangent"}};
 };
 
 /// How a wall that does not fit the grid is imposed.
@@ -58,7 +59,7 @@ struct SurfaceSettings {
 /// shape of another wall.
 struct WallSettings {
   std::string name;  // "footing"; errors and reports use it
-  WallKind kind = WallKind::fixed;
+  HeldMotion kind = HeldMotion::fixed;
   SurfaceSettings surface;
   std::vector<Value> displacement;  // m, one value an axis, from where it stands at time 0; numbers
                                     // and tables carry the wall along, functions of place leave it

@@ -52,14 +52,14 @@ Motions<Dim> motions_at(const Vec<Dim>& arm) {
 }
 
 template <int Dim>
-Mat<Dim> held_directions(WallKind kind, const Vec<Dim>& normal) {
+Mat<Dim> held_directions(HeldMotion kind, const Vec<Dim>& normal) {
   const Mat<Dim> across = normal * normal.transpose();
   switch (kind) {
-    case WallKind::roller:
+    case HeldMotion::roller:
       return across;
-    case WallKind::tangent:
+    case HeldMotion::tangent:
       return Mat<Dim>::Identity() - across;
-    case WallKind::fixed:
+    case HeldMotion::fixed:
       break;
   }
   return Mat<Dim>::Identity();
@@ -113,7 +113,7 @@ std::string in_words(const Part<Dim>& part, const Eigen::VectorXd& mode) {
 
 template <int Dim>
 void require_held(const Grid<Dim>& grid, const Points& points, const PointWeights<Dim>& weights,
-                  std::span<const Facet<Dim>> facets, std::span<const WallKind> kinds) {
+                  std::span<const Facet<Dim>> facets, std::span<const HeldMotion> kinds) {
   JoinedSets nodes(grid.node_count());
   const auto join = [&](const CellBox<Dim>& box) {
     const Index first = grid.node_index(box.first);
@@ -185,7 +185,7 @@ void require_held(const Grid<Dim>& grid, const Points& points, const PointWeight
 template <int Dim>
 void require_agreeing(const Grid<Dim>& grid, std::span<const Facet<Dim>> facets,
                       const std::vector<std::vector<Vec<Dim>>>& motions,
-                      std::span<const WallKind> kinds, std::span<const std::string> names) {
+                      std::span<const HeldMotion> kinds, std::span<const std::string> names) {
   std::map<Index, std::vector<std::size_t>> by_cell;
   for (std::size_t f = 0; f < facets.size(); ++f) {
     by_cell[grid.cell_index(facets[f].cell)].push_back(f);
@@ -221,14 +221,14 @@ void require_agreeing(const Grid<Dim>& grid, std::span<const Facet<Dim>> facets,
 }
 
 template void require_held(const Grid<2>&, const Points&, const PointWeights<2>&,
-                           std::span<const Facet<2>>, std::span<const WallKind>);
+                           std::span<const Facet<2>>, std::span<const HeldMotion>);
 template void require_held(const Grid<3>&, const Points&, const PointWeights<3>&,
-                           std::span<const Facet<3>>, std::span<const WallKind>);
+                           std::span<const Facet<3>>, std::span<const HeldMotion>);
 template void require_agreeing(const Grid<2>&, std::span<const Facet<2>>,
-                               const std::vector<std::vector<Vec<2>>>&, std::span<const WallKind>,
+                               const std::vector<std::vector<Vec<2>>>&, std::span<const HeldMotion>,
                                std::span<const std::string>);
 template void require_agreeing(const Grid<3>&, std::span<const Facet<3>>,
-                               const std::vector<std::vector<Vec<3>>>&, std::span<const WallKind>,
+                               const std::vector<std::vector<Vec<3>>>&, std::span<const HeldMotion>,
                                std::span<const std::string>);
 
 }  // namespace lapilli

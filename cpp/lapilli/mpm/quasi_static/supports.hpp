@@ -12,13 +12,13 @@ namespace lapilli {
 /// says where it is and which motion the walls leave. `kinds` by wall.
 template <int Dim>
 void require_held(const Grid<Dim>& grid, const Points& points, const PointWeights<Dim>& weights,
-                  std::span<const Facet<Dim>> facets, std::span<const WallKind> kinds);
+                  std::span<const Facet<Dim>> facets, std::span<const HeldMotion> kinds);
 
 /// Throw RunError when two walls lie on the same place and prescribe different motions there:
 /// names both. `motions` are the increments at the points of each facet.
 template <int Dim>
 void require_agreeing(const Grid<Dim>& grid, std::span<const Facet<Dim>> facets,
                       const std::vector<std::vector<Vec<Dim>>>& motions,
-                      std::span<const WallKind> kinds, std::span<const std::string> names);
+                      std::span<const HeldMotion> kinds, std::span<const std::string> names);
 
 }  // namespace lapilli

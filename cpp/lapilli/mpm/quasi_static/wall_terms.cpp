@@ -54,17 +54,17 @@ struct Constraint {
   Mat<Dim> stiffness;
   std::vector<std::pair<Vec<Dim>, double>> directions;  // with the modulus of each
 
-  Constraint(WallKind kind, const Vec<Dim>& normal, double constrained, double shear) {
+  Constraint(HeldMotion kind, const Vec<Dim>& normal, double constrained, double shear) {
     const Mat<Dim> across = normal * normal.transpose();
     const Mat<Dim> along = Mat<Dim>::Identity() - across;
     projector.setZero();
     stiffness.setZero();
-    if (kind != WallKind::tangent) {
+    if (kind != HeldMotion::tangent) {
       projector += across;
       stiffness += constrained * across;
       directions.push_back({normal, constrained});
     }
-    if (kind != WallKind::roller) {
+    if (kind != HeldMotion::roller) {
       projector += along;
       stiffness += shear * along;
       Vec<Dim> first;
@@ -85,7 +85,8 @@ struct Constraint {
 
 template <int Dim>
 WallTerm<Dim> wall_term(const Grid<Dim>& grid, const CellState<Dim>& state, const Facet<Dim>& facet,
-                        WallKind kind, std::span<const Vec<Dim>> motion, const WallScheme& scheme) {
+                        HeldMotion kind, std::span<const Vec<Dim>> motion,
+                        const WallScheme& scheme) {
   constexpr int nodes = WallTerm<Dim>::nodes, width = nodes * Dim;
   using Rows = Eigen::Matrix<double, Dim, width>;
   const Index cell = grid.cell_index(facet.cell);
@@ -195,9 +196,9 @@ Eigen::MatrixXd ghost_matrix(int axis, double cell_size) {
 
 template void cell_shape<2>(const Grid<2>&, const Grid<2>::Cell&, const Vec<2>&, double*, Vec<2>*);
 template void cell_shape<3>(const Grid<3>&, const Grid<3>::Cell&, const Vec<3>&, double*, Vec<3>*);
-template WallTerm<2> wall_term(const Grid<2>&, const CellState<2>&, const Facet<2>&, WallKind,
+template WallTerm<2> wall_term(const Grid<2>&, const CellState<2>&, const Facet<2>&, HeldMotion,
                                std::span<const Vec<2>>, const WallScheme&);
-template WallTerm<3> wall_term(const Grid<3>&, const CellState<3>&, const Facet<3>&, WallKind,
+template WallTerm<3> wall_term(const Grid<3>&, const CellState<3>&, const Facet<3>&, HeldMotion,
                                std::span<const Vec<3>>, const WallScheme&);
 template Eigen::MatrixXd ghost_matrix<2>(int, double);
 template Eigen::MatrixXd ghost_matrix<3>(int, double);

@@ -40,7 +40,8 @@ struct WallTerm {
 /// cell has no traction, so no consistency term.
 template <int Dim>
 WallTerm<Dim> wall_term(const Grid<Dim>& grid, const CellState<Dim>& state, const Facet<Dim>& facet,
-                        WallKind kind, std::span<const Vec<Dim>> motion, const WallScheme& scheme);
+                        HeldMotion kind, std::span<const Vec<Dim>> motion,
+                        const WallScheme& scheme);
 
 /// Ghost stabilisation of the face between two cells along `axis`: gamma E h/3 times the integral
 /// of the products of the jumps of the normal derivative (Burman 2010); per unit of gamma E, for
