@@ -1,6 +1,7 @@
 #include "bind_struct.hpp"
 #include "bindings.hpp"
 #include "convert_core.hpp"
+#include "lapilli/materials/elastic.hpp"
 #include "lapilli/materials/thermal.hpp"
 
 namespace lapilli::python {
@@ -9,6 +10,7 @@ void bind_materials(py::module_& module) {
   bind_struct<Thermal>(
       module, "Thermal",
       "A solid that stores and conducts heat (Fourier), with constant coefficients.");
+  bind_struct<LinearElastic>(module, "Elastic", "An isotropic linear elastic solid.");
 }
 
 }  // namespace lapilli::python

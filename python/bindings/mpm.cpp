@@ -2,6 +2,7 @@
 #include "convert_core.hpp"
 #include "convert_geometry.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
+#include "lapilli/mpm/quasi_static/settings.hpp"
 
 namespace lapilli::python {
 
@@ -16,6 +17,14 @@ void bind_mpm(py::module_& module) {
   bind_struct<PrescribedTemperature>(module, "Temperature",
                                      "A temperature held on a surface that need not fit the grid.");
   bind_struct<HeatSettings>(module, "Heat", "Heat conduction: the section [heat] of a scene.");
+  bind_struct<WallSettings>(module, "ImplicitWall",
+                            "A surface on which the displacement is prescribed; it need not fit "
+                            "the grid.");
+  bind_struct<TractionSettings>(module, "SurfaceTraction",
+                                "A surface on which a force per area acts.");
+  bind_struct<QuasiStaticSettings>(module, "QuasiStatic",
+                                   "Equilibrium under load steps with implicit boundaries: the "
+                                   "section [quasi_static] of a scene.");
 }
 
 }  // namespace lapilli::python

@@ -6,7 +6,7 @@ import collections.abc
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Flux', 'Grid', 'HalfSpace', 'Heat', 'Image', 'Intersection', 'Ledger', 'Mesh', 'Output', 'OutputError', 'Points', 'Polygon', 'Progress', 'Radiation', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'Swirl', 'Table', 'Temperature', 'Thermal', 'Time', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
+__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'Flux', 'Grid', 'HalfSpace', 'Heat', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'Output', 'OutputError', 'Points', 'Polygon', 'Progress', 'QuasiStatic', 'Radiation', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'Time', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -730,6 +730,56 @@ class Thermal:
     @specific_heat.setter
     def specific_heat(self, value: float) -> None:
         ...
+class Elastic:
+    """
+    An isotropic linear elastic solid.
+    
+    Parameters
+    ----------
+    density : float, kg/m3, required
+        mass per undeformed volume; above 0 (kg/m3)
+    youngs_modulus : float, Pa, required
+        stiffness in tension; above 0 (Pa)
+    poissons_ratio : float, default 0.0
+        lateral contraction, in (-1, 0.5); above -1 and at most 0.5
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, density: float, youngs_modulus: float, poissons_ratio: float = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def density(self) -> float:
+        """
+        mass per undeformed volume, kg/m3
+        """
+    @density.setter
+    def density(self, value: float) -> None:
+        ...
+    @property
+    def poissons_ratio(self) -> float:
+        """
+        lateral contraction, in (-1, 0.5)
+        """
+    @poissons_ratio.setter
+    def poissons_ratio(self, value: float) -> None:
+        ...
+    @property
+    def youngs_modulus(self) -> float:
+        """
+        stiffness in tension, Pa
+        """
+    @youngs_modulus.setter
+    def youngs_modulus(self, value: float) -> None:
+        ...
 class Flux:
     """
     A prescribed flux, positive into the body.
@@ -1100,6 +1150,336 @@ class Heat:
     @transfer.setter
     def transfer(self, value: typing.Literal['auto', 'kept', 'affine', 'flip', 'pic', 'tpic']) -> None:
         ...
+class ImplicitWall:
+    """
+    A surface on which the displacement is prescribed; it need not fit the grid.
+    
+    Parameters
+    ----------
+    name : str, default ''
+        name in messages and results
+    kind : typing.Literal['fixed', 'roller', 'tangent'], default 'fixed'
+        fixed, roller (free along its face) or tangent (free across it)
+    shape : Shape | None, default None
+        shape whose surface it is
+    inside : bool, default False
+        whether the material is inside the shape, or outside
+    line : collections.abc.Sequence[collections.abc.Sequence[float]], m, default ()
+        2D: points of an open line, the material on its left
+    within : Shape | None, default None
+        the part of the surface that counts; absent: all of it
+    displacement : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], m, default ()
+        of the wall since time 0, one value an axis; empty: it stands
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, name: str = ..., kind: typing.Literal['fixed', 'roller', 'tangent'] = ..., shape: Shape | None = ..., inside: bool = ..., line: collections.abc.Sequence[collections.abc.Sequence[float]] = ..., within: Shape | None = ..., displacement: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def displacement(self) -> collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]:
+        """
+        of the wall since time 0, one value an axis; empty: it stands, m
+        """
+    @displacement.setter
+    def displacement(self, value: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]) -> None:
+        ...
+    @property
+    def inside(self) -> bool:
+        """
+        whether the material is inside the shape, or outside
+        """
+    @inside.setter
+    def inside(self, value: bool) -> None:
+        ...
+    @property
+    def kind(self) -> typing.Literal['fixed', 'roller', 'tangent']:
+        """
+        fixed, roller (free along its face) or tangent (free across it)
+        """
+    @kind.setter
+    def kind(self, value: typing.Literal['fixed', 'roller', 'tangent']) -> None:
+        ...
+    @property
+    def line(self) -> collections.abc.Sequence[collections.abc.Sequence[float]]:
+        """
+        2D: points of an open line, the material on its left, m
+        """
+    @line.setter
+    def line(self, value: collections.abc.Sequence[collections.abc.Sequence[float]]) -> None:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        name in messages and results
+        """
+    @name.setter
+    def name(self, value: str) -> None:
+        ...
+    @property
+    def shape(self) -> Shape | None:
+        """
+        shape whose surface it is
+        """
+    @shape.setter
+    def shape(self, value: Shape | None) -> None:
+        ...
+    @property
+    def within(self) -> Shape | None:
+        """
+        the part of the surface that counts; absent: all of it
+        """
+    @within.setter
+    def within(self, value: Shape | None) -> None:
+        ...
+class SurfaceTraction:
+    """
+    A surface on which a force per area acts.
+    
+    Parameters
+    ----------
+    name : str, default ''
+        name in messages and results
+    shape : Shape | None, default None
+        shape whose surface it is
+    inside : bool, default False
+        whether the material is inside the shape, or outside
+    line : collections.abc.Sequence[collections.abc.Sequence[float]], m, default ()
+        2D: points of an open line, the material on its left
+    within : Shape | None, default None
+        the part of the surface that counts; absent: all of it
+    traction : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], Pa, required
+        force per area on the material, one value an axis
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, name: str = ..., shape: Shape | None = ..., inside: bool = ..., line: collections.abc.Sequence[collections.abc.Sequence[float]] = ..., within: Shape | None = ..., traction: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def inside(self) -> bool:
+        """
+        whether the material is inside the shape, or outside
+        """
+    @inside.setter
+    def inside(self, value: bool) -> None:
+        ...
+    @property
+    def line(self) -> collections.abc.Sequence[collections.abc.Sequence[float]]:
+        """
+        2D: points of an open line, the material on its left, m
+        """
+    @line.setter
+    def line(self, value: collections.abc.Sequence[collections.abc.Sequence[float]]) -> None:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        name in messages and results
+        """
+    @name.setter
+    def name(self, value: str) -> None:
+        ...
+    @property
+    def shape(self) -> Shape | None:
+        """
+        shape whose surface it is
+        """
+    @shape.setter
+    def shape(self, value: Shape | None) -> None:
+        ...
+    @property
+    def traction(self) -> collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]:
+        """
+        force per area on the material, one value an axis, Pa
+        """
+    @traction.setter
+    def traction(self, value: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]) -> None:
+        ...
+    @property
+    def within(self) -> Shape | None:
+        """
+        the part of the surface that counts; absent: all of it
+        """
+    @within.setter
+    def within(self, value: Shape | None) -> None:
+        ...
+class QuasiStatic:
+    """
+    Equilibrium under load steps with implicit boundaries: the section [quasi_static] of a scene.
+    
+    Parameters
+    ----------
+    wall_form : typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'], default 'mean-gap'
+        how walls are imposed where they do not fit the grid
+    bandwidth : float | None, cells, default None
+        of the stiff constraint; absent: 1e-3, literal 1e-6; above 0 and at most 1 (cells)
+    gap_bandwidth : float, cells, default 0.05
+        of the moderate constraint of mean-gap and nitsche; above 0 and at most 1 (cells)
+    ghost : float | None, default None
+        stabilisation of cut and surface cells; absent: 0.01, literal none; from 0 to 1
+    hold_empty_cells : bool, default True
+        a wall in an empty cell next to material keeps its hold
+    reset : float | None, cells, default None
+        points keep their shape functions until one has moved this far; absent: 0.1, literal 0; from 0 to 1 (cells)
+    rebalance : bool, default True
+        a step after which the grid is reset balances once more on the new grid, so that the next step starts from equilibrium; literal never does
+    largest_penetration : float, cells, default 0.5
+        a point further behind a wall fails the load step; above 0 (cells)
+    body_force : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], N/m3, default ()
+        force per volume, one value an axis
+    tolerance : float, default 1e-10
+        of the out-of-balance force, relative; above 0 and at most 0.01
+    largest_iterations : int, default 12
+        of Newton's method in one load step; from 1 to 1000
+    largest_halvings : int, default 6
+        of a load step that fails; from 0 to 30
+    walls : list[ImplicitWall], default []
+        where the displacement is prescribed
+    tractions : list[SurfaceTraction], default []
+        where forces act on the surface
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, wall_form: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'] = ..., bandwidth: float | None = ..., gap_bandwidth: float = ..., ghost: float | None = ..., hold_empty_cells: bool = ..., reset: float | None = ..., rebalance: bool = ..., largest_penetration: float = ..., body_force: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., tolerance: float = ..., largest_iterations: int = ..., largest_halvings: int = ..., walls: list[ImplicitWall] = ..., tractions: list[SurfaceTraction] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def bandwidth(self) -> float | None:
+        """
+        of the stiff constraint; absent: 1e-3, literal 1e-6, cells
+        """
+    @bandwidth.setter
+    def bandwidth(self, value: float | None) -> None:
+        ...
+    @property
+    def body_force(self) -> collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]:
+        """
+        force per volume, one value an axis, N/m3
+        """
+    @body_force.setter
+    def body_force(self, value: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]) -> None:
+        ...
+    @property
+    def gap_bandwidth(self) -> float:
+        """
+        of the moderate constraint of mean-gap and nitsche, cells
+        """
+    @gap_bandwidth.setter
+    def gap_bandwidth(self, value: float) -> None:
+        ...
+    @property
+    def ghost(self) -> float | None:
+        """
+        stabilisation of cut and surface cells; absent: 0.01, literal none
+        """
+    @ghost.setter
+    def ghost(self, value: float | None) -> None:
+        ...
+    @property
+    def hold_empty_cells(self) -> bool:
+        """
+        a wall in an empty cell next to material keeps its hold
+        """
+    @hold_empty_cells.setter
+    def hold_empty_cells(self, value: bool) -> None:
+        ...
+    @property
+    def largest_halvings(self) -> int:
+        """
+        of a load step that fails
+        """
+    @largest_halvings.setter
+    def largest_halvings(self, value: int) -> None:
+        ...
+    @property
+    def largest_iterations(self) -> int:
+        """
+        of Newton's method in one load step
+        """
+    @largest_iterations.setter
+    def largest_iterations(self, value: int) -> None:
+        ...
+    @property
+    def largest_penetration(self) -> float:
+        """
+        a point further behind a wall fails the load step, cells
+        """
+    @largest_penetration.setter
+    def largest_penetration(self, value: float) -> None:
+        ...
+    @property
+    def rebalance(self) -> bool:
+        """
+        a step after which the grid is reset balances once more on the new grid, so that the next step starts from equilibrium; literal never does
+        """
+    @rebalance.setter
+    def rebalance(self, value: bool) -> None:
+        ...
+    @property
+    def reset(self) -> float | None:
+        """
+        points keep their shape functions until one has moved this far; absent: 0.1, literal 0, cells
+        """
+    @reset.setter
+    def reset(self, value: float | None) -> None:
+        ...
+    @property
+    def tolerance(self) -> float:
+        """
+        of the out-of-balance force, relative
+        """
+    @tolerance.setter
+    def tolerance(self, value: float) -> None:
+        ...
+    @property
+    def tractions(self) -> list[SurfaceTraction]:
+        """
+        where forces act on the surface
+        """
+    @tractions.setter
+    def tractions(self, value: list[SurfaceTraction]) -> None:
+        ...
+    @property
+    def wall_form(self) -> typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty']:
+        """
+        how walls are imposed where they do not fit the grid
+        """
+    @wall_form.setter
+    def wall_form(self, value: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty']) -> None:
+        ...
+    @property
+    def walls(self) -> list[ImplicitWall]:
+        """
+        where the displacement is prescribed
+        """
+    @walls.setter
+    def walls(self, value: list[ImplicitWall]) -> None:
+        ...
 class Points:
     """
     Points handed over as arrays; no scene file holds them.
@@ -1311,7 +1691,7 @@ class Body:
         direction that stays, in three dimensions
     translation : collections.abc.Sequence[float], m, default ()
         displacement after the turn
-    material : list[Thermal], required
+    material : list[Thermal | Elastic], required
         what it is made of: one material, or one for each physics
     temperature : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, default 0.0
         temperature at the start
@@ -1327,7 +1707,7 @@ class Body:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., clip: bool = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
+    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., clip: bool = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Elastic], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -1352,12 +1732,12 @@ class Body:
     def jitter(self, value: float) -> None:
         ...
     @property
-    def material(self) -> list[Thermal]:
+    def material(self) -> list[Thermal | Elastic]:
         """
         what it is made of: one material, or one for each physics
         """
     @material.setter
-    def material(self, value: list[Thermal]) -> None:
+    def material(self, value: list[Thermal | Elastic]) -> None:
         ...
     @property
     def motion(self) -> Rotation | Translation | Swirl | None:
@@ -1673,6 +2053,8 @@ class Scene:
         bodies
     heat : Heat | None, default None
         heat conduction; absent: not modelled
+    quasi_static : QuasiStatic | None, default None
+        equilibrium under load steps; absent: not modelled
     time : Time, required
         end and steps
     output : Output, default Output()
@@ -1693,7 +2075,7 @@ class Scene:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, title: str = ..., grid: Grid, bodies: list[Body], heat: Heat | None = ..., time: Time, output: Output = ...) -> None:
+    def __init__(self, *, title: str = ..., grid: Grid, bodies: list[Body], heat: Heat | None = ..., quasi_static: QuasiStatic | None = ..., time: Time, output: Output = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -1748,6 +2130,14 @@ class Scene:
         """
     @output.setter
     def output(self, value: Output) -> None:
+        ...
+    @property
+    def quasi_static(self) -> QuasiStatic | None:
+        """
+        equilibrium under load steps; absent: not modelled
+        """
+    @quasi_static.setter
+    def quasi_static(self, value: QuasiStatic | None) -> None:
         ...
     @property
     def time(self) -> Time:

@@ -7,6 +7,7 @@ namespace lapilli {
 /// Isotropic linear elastic solid. Applied to the rate of deformation it is hypoelastic: large
 /// rotations are exact, large elastic strains are not modelled.
 struct LinearElastic {
+  static constexpr const char* kind = "elastic";
   double density = 0.0;         // kg/m3, of the undeformed body
   double youngs_modulus = 0.0;  // Pa
   double poissons_ratio = 0.0;  // in (-1, 0.5)

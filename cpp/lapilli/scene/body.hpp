@@ -8,13 +8,14 @@
 #include "lapilli/core/describe.hpp"
 #include "lapilli/core/value.hpp"
 #include "lapilli/geometry/shape.hpp"
+#include "lapilli/materials/elastic.hpp"
 #include "lapilli/materials/thermal.hpp"
 #include "lapilli/mpm/prescribed_motion.hpp"
 
 namespace lapilli {
 
 /// What a body is made of; each physics takes the one it knows.
-using Material = std::variant<Thermal>;
+using Material = std::variant<Thermal, LinearElastic>;
 
 /// Points handed over by a program; no file holds them.
 struct GivenPoints {

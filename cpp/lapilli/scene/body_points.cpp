@@ -4,6 +4,7 @@
 
 #include "lapilli/geometry/checks.hpp"
 #include "lapilli/geometry/sources.hpp"
+#include "lapilli/mpm/quasi_static/cut_fill.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/scene_file.hpp"
 
@@ -25,12 +26,21 @@ int points_along_axis(const Body& body, int dimension) {
   return body.points_per_cell ? points_per_axis(*body.points_per_cell, dimension) : 2;
 }
 
+/// Implicit solvers want points that integrate cut cells exactly: the shape is filled where it
+/// stands, cell by cell of the grid.
+bool is_filled_in_place(const Scene& scene, const Body& body) {
+  return scene.quasi_static && body.clip && body.shape;
+}
+
 FilledPoints filled_shape(const Scene& scene, const Body& body) {
   const int dimension = dimension_of(scene);
   Lattice lattice;
   lattice.lower = place(scene.grid.lower);
   lattice.cell = scene.grid.cell;
   lattice.points_per_axis = points_along_axis(body, dimension);
+  if (is_filled_in_place(scene, body)) {
+    return fill_exactly(*placed_shape(body), lattice, dimension);
+  }
   FillOptions options;
   options.clip = body.clip;
   options.jitter = body.jitter;
@@ -165,7 +175,7 @@ std::vector<FilledPoints> fill_bodies(const Scene& scene) {
     const Body& body = scene.bodies[k];
     at_place(scene, body_path(k), [&] {
       filled.push_back(points_of(scene, body));
-      if (is_placed(body)) {
+      if (is_placed(body) && !is_filled_in_place(scene, body)) {
         put_in_place(body, filled.back());
       }
       require_inside_grid(scene, filled.back());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapilli/mpm/heat/heat_problem.hpp"
+#include "lapilli/mpm/quasi_static/quasi_static.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/resolve_files.hpp"
@@ -77,6 +78,18 @@ std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
   return at_place(scene, "heat", [&] { return make_heat<Dim>(points, std::move(problem)); });
 }
 
+std::unique_ptr<Physics> quasi_static_of(const Scene& scene, Points& points) {
+  std::vector<LinearElastic> materials;
+  for (const Body& body : scene.bodies) {
+    materials.push_back(material_of<LinearElastic>(body));
+  }
+  return at_place(scene, "quasi_static", [&] {
+    return make_quasi_static(points, place(scene.grid.lower), place(scene.grid.upper),
+                             scene.grid.cell, scene.grid.shape_function, std::move(materials),
+                             *scene.quasi_static);
+  });
+}
+
 Simulation::Clock clock_of(const Scene& scene) {
   Simulation::Clock clock;
   clock.end = scene.time.end;
@@ -96,6 +109,9 @@ std::unique_ptr<Simulation> build_in(const Scene& scene) {
   PhysicsList physics;
   if (scene.heat) {
     physics.push_back(heat_of<Dim>(scene, grid, filled, *points));
+  }
+  if (scene.quasi_static) {
+    physics.push_back(quasi_static_of(scene, *points));
   }
   if (has_motion(scene)) {
     std::vector<std::optional<Motion>> motions;

@@ -7,6 +7,7 @@
 
 #include "lapilli/core/describe.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
+#include "lapilli/mpm/quasi_static/settings.hpp"
 #include "lapilli/mpm/shape_function.hpp"
 #include "lapilli/scene/body.hpp"
 
@@ -80,6 +81,7 @@ struct Scene {
   GridSettings grid;
   std::vector<Body> bodies;
   std::optional<HeatSettings> heat;
+  std::optional<QuasiStaticSettings> quasi_static;
   TimeSettings time;
   OutputSettings output;
   std::shared_ptr<const Places> places;  // where each key stood in the file; null when in none
@@ -90,6 +92,8 @@ struct Scene {
     visit(Key("grid").required().text("background grid"), self.grid);
     visit(Key("bodies").required().length(1, 1000000).text("bodies"), self.bodies);
     visit(Key("heat").text("heat conduction; absent: not modelled"), self.heat);
+    visit(Key("quasi_static").text("equilibrium under load steps; absent: not modelled"),
+          self.quasi_static);
     visit(Key("time").required().text("end and steps"), self.time);
     visit(Key("output").text("frames and checkpoints"), self.output);
   }

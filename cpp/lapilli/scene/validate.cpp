@@ -130,15 +130,32 @@ void check_body(const Scene& scene, const Body& body, const std::string& path) {
   if (body.motion) {
     check_motion(scene, *body.motion, path + ".motion");
   }
-  int thermal = 0;
+  int thermal = 0, elastic = 0;
   for (const Material& material : body.material) {
     at_place(scene, path + ".material",
              [&] { std::visit([](const auto& known) { check(known); }, material); });
     thermal += std::holds_alternative<Thermal>(material);
+    elastic += std::holds_alternative<LinearElastic>(material);
   }
   require_at(thermal <= 1, scene, path + ".material", "has ", thermal, " thermal materials");
   require_at(!scene.heat || thermal == 1, scene, path + ".material",
              "has no thermal material, which [heat] needs");
+  require_at(elastic <= 1, scene, path + ".material", "has ", elastic, " elastic materials");
+  require_at(!scene.quasi_static || elastic == 1, scene, path + ".material",
+             "has no elastic material, which [quasi_static] needs");
+  require_at(!scene.quasi_static || !body.motion, scene, path + ".motion",
+             "contradicts [quasi_static], which moves the points itself");
+}
+
+void check_quasi_static(const Scene& scene) {
+  require_at(dimension_of(scene) > 1, scene, "quasi_static",
+             "needs two or three dimensions, got 1");
+  require_at(!scene.heat, scene, "quasi_static",
+             "cannot share a scene with [heat]: their coupling is not modelled");
+  require_at(scene.grid.shape_function != ShapeFunction::bspline, scene, "grid.shape_function",
+             "must be linear or gimp where [quasi_static] is modelled, got bspline");
+  require_at(scene.time.step || scene.time.steps, scene, "quasi_static",
+             "has no stable step to choose from: give time.steps, the number of load steps");
 }
 
 void check_time(const Scene& scene) {
@@ -157,6 +174,9 @@ void validate(const Scene& as_written) {
   RangeCheck(scene).check(scene, Key(""), "");
   check_grid(scene);
   check_time(scene);
+  if (scene.quasi_static) {
+    check_quasi_static(scene);
+  }
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     check_body(scene, scene.bodies[k], message("bodies.", k));
   }

@@ -14,6 +14,7 @@ MODULES: dict[str, str] = {
     "vhfm/sphere": "lapilli.reproduce.vhfm.sphere",
     "vhfm/square": "lapilli.reproduce.vhfm.square",
     "vhfm/fan": "lapilli.reproduce.vhfm.fan",
+    "ib/block": "lapilli.reproduce.ib.block",
 }
 
 
