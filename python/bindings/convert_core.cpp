@@ -10,11 +10,14 @@ namespace {
 /// thread does so.
 class PythonFunction {
  public:
-  explicit PythonFunction(const py::object& callable)
-      : callable_(new py::object(callable), [](py::object* held) {
-          const py::gil_scoped_acquire gil;
-          delete held;
-        }) {}
+  PythonFunction(const py::object& callable, const Where& where)
+      : callable_(new py::object(callable),
+                  [](py::object* held) {
+                    const py::gil_scoped_acquire gil;
+                    delete held;
+                  }),
+        key_(where.key),
+        path_(where.path()) {}
 
   const py::object& callable() const { return *callable_; }
 
@@ -27,24 +30,52 @@ class PythonFunction {
       std::copy_n(position[static_cast<std::size_t>(row)].data(), 3, places.mutable_data(row, 0));
     }
     const Numbers states(static_cast<py::ssize_t>(state.size()), state.data());
-    const auto answer = Numbers::ensure((*callable_)(places, states, time));
+    const py::object given = call(places, states, time);
+    const auto answer = Numbers::ensure(given);
     if (!answer) {
-      throw py::error_already_set();
+      PyErr_Clear();
+      refuse(rows, std::string(py::repr(given)).substr(0, 80));
     }
     if (answer.ndim() == 0) {
       std::fill(values.begin(), values.end(), *answer.data());
     } else if (answer.ndim() == 1 && answer.shape(0) == rows) {
       std::copy_n(answer.data(), rows, values.data());
     } else {
-      throw RunError(message("the function ", std::string(py::repr(*callable_)), " was called for ",
-                             rows, " places and answered an array of shape ",
-                             std::string(py::str(answer.attr("shape"))),
-                             "; one number, or one a place, is allowed"));
+      refuse(rows, "an array of shape " + std::string(py::str(answer.attr("shape"))));
+    }
+    for (std::size_t row = 0; row < values.size(); ++row) {
+      try {
+        check_range(key_, values[row], {});
+      } catch (const std::invalid_argument& error) {
+        throw RunError(message("the function given for ", path_, ", at (",
+                               position[row].transpose(), ") and ", time, " s: ", error.what()));
+      }
     }
   }
 
  private:
+  py::object call(const Numbers& places, const Numbers& states, double time) const {
+    try {
+      return (*callable_)(places, states, time);
+    } catch (py::error_already_set& error) {
+      // The error of the user's own code, told where it was called from.
+      if (py::hasattr(error.value(), "add_note")) {
+        error.value().attr("add_note")(
+            message("in the function given for ", path_, ", called with (position, state, time)"));
+      }
+      throw;
+    }
+  }
+
+  [[noreturn]] void refuse(py::ssize_t rows, const std::string& answer) const {
+    throw RunError(message("the function given for ", path_, " was called for ", rows,
+                           " places and answered ", answer,
+                           "; one number, or one a place, is allowed"));
+  }
+
   std::shared_ptr<py::object> callable_;
+  Key key_;
+  std::string path_;
 };
 
 }  // namespace
@@ -71,7 +102,7 @@ void Convert<Value>::load(const Where& where, py::handle given, Value& member) {
   if (py::isinstance<Table>(given)) {
     member = given.cast<Table>();
   } else if (PyCallable_Check(given.ptr()) != 0) {
-    member = ArrayFunction(PythonFunction(py::reinterpret_borrow<py::object>(given)));
+    member = ArrayFunction(PythonFunction(py::reinterpret_borrow<py::object>(given), where));
     return;
   } else if ((PyTuple_Check(given.ptr()) || PyList_Check(given.ptr())) && py::len(given) == 2) {
     Table table;

@@ -56,10 +56,20 @@ void bind_points(py::module_& module) {
   const std::string array = " -> numpy.typing.NDArray[numpy.float64]";
   py::class_<GivenPoints>(module, "Points",
                           "Points handed over as arrays; no scene file holds them.")
-      .def(py::init([](const Numbers& positions, const Numbers& volumes) {
-             return points_from("Points", positions, volumes);
+      .def(py::init([](const py::object& positions, const py::object& volumes,
+                       const py::kwargs& unknown) {
+             for (const auto& [name, value] : unknown) {
+               throw py::type_error("Points: " + unknown_name("key", std::string(py::str(name)),
+                                                              {"positions", "volumes"}));
+             }
+             const auto x = Numbers::ensure(positions), v = Numbers::ensure(volumes);
+             if (!x || !v) {
+               PyErr_Clear();
+               throw py::type_error("Points: needs two arrays of numbers, positions and volumes");
+             }
+             return points_from("Points", x, v);
            }),
-           py::arg("positions"), py::arg("volumes"),
+           py::arg("positions") = py::none(), py::arg("volumes") = py::none(),
            ("__init__" + self +
             ", positions: numpy.typing.ArrayLike, volumes: numpy.typing.ArrayLike) -> None")
                .c_str())
