@@ -122,10 +122,17 @@ void describe_steps(const Scene& scene, Simulation& simulation, CheckReport& rep
     const StepLimit limit = physics->step_limit();
     if (limit.hard < report.hard_limit) {
       report.hard_limit = limit.hard;
-      report.step_reason += "; " + physics->name() + ": " + limit.reason;
+      report.step_reason += "; " + limit.reason;
     }
   }
-  report.steps = static_cast<Index>(std::ceil(scene.time.end / report.step * (1.0 - 1e-9)));
+  // Steps end at frames, so a span between frames holds a whole number of them.
+  const double end = scene.time.end, every = scene.output.every.value_or(end);
+  const auto steps_in = [&](double span) {
+    return static_cast<Index>(std::ceil(span / report.step * (1.0 - 1e-9)));
+  };
+  const double spans = std::floor(end / every * (1.0 + 1e-9));
+  report.steps =
+      static_cast<Index>(spans) * steps_in(every) + steps_in(std::max(0.0, end - spans * every));
 }
 
 // The first step also assembles what later ones use, so it is not counted.
@@ -203,11 +210,14 @@ std::string text_of(const CheckReport& report) {
   for (const Index count : report.cells) {
     cells += (cells.empty() ? "" : " x ") + std::to_string(count);
   }
+  constexpr const char* sizes[] = {"length", "area", "volume"};
+  constexpr const char* units[] = {" m", " m^2", " m^3"};
   std::string text = report.title.empty() ? "" : report.title + "\n";
   text += message("grid          ", cells, " cells, ", report.nodes, " nodes\n");
   for (const CheckReport::BodyReport& body : report.bodies) {
-    text += message("body          ", body.name, ": ", body.points, " points, volume ", body.volume,
-                    " m^", report.dimension, ", spacing ", body.spacing, " m\n");
+    text += message("body          ", body.name, ": ", body.points, " points, ",
+                    sizes[report.dimension - 1], " ", body.volume, units[report.dimension - 1],
+                    ", spacing ", body.spacing, " m\n");
   }
   text += message("models        ", listed(report.modelled), "\n");
   text += message("leaves out    ", listed(report.not_modelled), "\n");
