@@ -63,7 +63,7 @@ def test_keys_lists_units_and_defaults(capsys: pytest.CaptureFixture[str]) -> No
         (["run", "ring.toml", "--resume"], 2, "checkpoint"),
         (["run", "ring.toml", "--threads", "0"], 2, "--threads"),
         (["plot", "ring.toml"], 2, "holds no frames"),
-        (["merge", "nosuch.vtkhdf", "b.vtkhdf"], 3, "nosuch.vtkhdf"),
+        (["merge", "nosuch.vtkhdf", "b.vtkhdf"], 2, "nosuch.vtkhdf"),
         (["reproduce", "no/such"], 2, "no case 'no/such'"),
         (
             ["tradeoff", "ring.toml", "--vary", "grid.cell", "--reference", "radial"],

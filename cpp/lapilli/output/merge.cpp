@@ -40,6 +40,7 @@ void write_merged(hid_t file, const FrameIndex& index, const std::vector<FrameDa
 
 void merge(const std::filesystem::path& from, const std::filesystem::path& to) {
   std::error_code ignored;
+  require(std::filesystem::exists(from, ignored), "there is no file '", from.string(), "'");
   require(!std::filesystem::equivalent(from, to, ignored), "merge '", from.string(),
           "' into another file, not into itself");
   const FrameIndex index = read_index(from);
