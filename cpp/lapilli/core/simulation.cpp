@@ -64,6 +64,7 @@ StepReport Simulation::advance(double size, bool look) {
 }
 
 void Simulation::run_until(double time, const std::function<bool(const Simulation&)>& after_step) {
+  require(!std::isnan(time), "run_until needs a time, got ", time);
   require(time >= time_, "cannot run back to ", time, " s: the clock is at ", time_, " s");
   while (time_ < time) {
     step(time, false);

@@ -115,6 +115,8 @@ void require_inside_grid(const Scene& scene, const FilledPoints& points) {
   Vec3 example = Vec3::Zero();
   for (std::size_t row = 0; row < points.size(); ++row) {
     const Vec3 at = position_of(points, row);
+    require(at.allFinite(), "point ", row,
+            " has a position that is not finite: ", text_of(at, points.dimension));
     bool inside = true;
     for (int axis = 0; axis < points.dimension; ++axis) {
       inside &= at[axis] >= grid.lower[axis] - slack && at[axis] <= grid.upper[axis] + slack;
