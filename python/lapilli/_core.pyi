@@ -686,8 +686,8 @@ class Thermal:
     
     Parameters
     ----------
-    density : float, kg/m3, required
-        mass per undeformed volume; above 0 (kg/m3)
+    density : float, kg/m^3, required
+        mass per undeformed volume; above 0 (kg/m^3)
     specific_heat : float, J/(kg K), required
         heat per mass and kelvin; above 0 (J/(kg K))
     conductivity : float | collections.abc.Sequence[float], W/(m K), required
@@ -717,7 +717,7 @@ class Thermal:
     @property
     def density(self) -> float:
         """
-        mass per undeformed volume, kg/m3
+        mass per undeformed volume, kg/m^3
         """
     @density.setter
     def density(self, value: float) -> None:
@@ -736,8 +736,8 @@ class Elastic:
     
     Parameters
     ----------
-    density : float, kg/m3, required
-        mass per undeformed volume; above 0 (kg/m3)
+    density : float, kg/m^3, required
+        mass per undeformed volume; above 0 (kg/m^3)
     youngs_modulus : float, Pa, required
         stiffness in tension; above 0 (Pa)
     poissons_ratio : float, default 0.0
@@ -759,7 +759,7 @@ class Elastic:
     @property
     def density(self) -> float:
         """
-        mass per undeformed volume, kg/m3
+        mass per undeformed volume, kg/m^3
         """
     @density.setter
     def density(self, value: float) -> None:
@@ -1342,7 +1342,7 @@ class QuasiStatic:
         a step after which the grid is reset balances once more on the new grid, so that the next step starts from equilibrium; literal never does
     largest_penetration : float, cells, default 0.5
         a point further behind a wall fails the load step; above 0 (cells)
-    body_force : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], N/m3, default ()
+    body_force : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], N/m^3, default ()
         force per volume, one value an axis
     tolerance : float, default 1e-10
         of the out-of-balance force, relative; above 0 and at most 0.01
@@ -1379,7 +1379,7 @@ class QuasiStatic:
     @property
     def body_force(self) -> collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]:
         """
-        force per volume, one value an axis, N/m3
+        force per volume, one value an axis, N/m^3
         """
     @body_force.setter
     def body_force(self, value: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]) -> None:
@@ -1695,7 +1695,7 @@ class Body:
         what it is made of: one material, or one for each physics
     temperature : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, default 0.0
         temperature at the start
-    source : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], W/m3, default 0.0
+    source : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], W/m^3, default 0.0
         heat released in its volume
     velocity : collections.abc.Sequence[float], m/s, default ()
         velocity at the start
@@ -1830,7 +1830,7 @@ class Body:
     @property
     def source(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
         """
-        heat released in its volume, W/m3
+        heat released in its volume, W/m^3
         """
     @source.setter
     def source(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:

@@ -8,13 +8,13 @@ namespace lapilli {
 /// rotations are exact, large elastic strains are not modelled.
 struct LinearElastic {
   static constexpr const char* kind = "elastic";
-  double density = 0.0;         // kg/m3, of the undeformed body
+  double density = 0.0;         // kg/m^3, of the undeformed body
   double youngs_modulus = 0.0;  // Pa
   double poissons_ratio = 0.0;  // in (-1, 0.5)
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("density").unit("kg/m3").positive().required().text("mass per undeformed volume"),
+    visit(Key("density").unit("kg/m^3").positive().required().text("mass per undeformed volume"),
           self.density);
     visit(Key("youngs_modulus").unit("Pa").positive().required().text("stiffness in tension"),
           self.youngs_modulus);

@@ -8,7 +8,7 @@ namespace lapilli {
 
 void check(const Newtonian& material) {
   require(std::isfinite(material.density) && material.density > 0.0,
-          "newtonian material: density must be positive (kg/m3), got ", material.density);
+          "newtonian material: density must be positive (kg/m^3), got ", material.density);
   require(std::isfinite(material.viscosity) && material.viscosity >= 0.0,
           "newtonian material: viscosity must not be negative (Pa s), got ", material.viscosity);
   require(std::isfinite(material.expansion) && std::isfinite(material.reference_temperature),

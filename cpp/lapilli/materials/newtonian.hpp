@@ -8,14 +8,14 @@ namespace lapilli {
 /// temperature (Boussinesq). Not modelled: viscosity that depends on temperature or rate.
 struct Newtonian {
   static constexpr const char* kind = "newtonian";
-  double density = 0.0;                // kg/m3, at the reference temperature and no pressure
+  double density = 0.0;                // kg/m^3, at the reference temperature and no pressure
   double viscosity = 0.0;              // Pa s
   double expansion = 0.0;              // 1/K
   double reference_temperature = 0.0;  // K
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("density").unit("kg/m3").positive().required().text("mass per volume at rest"),
+    visit(Key("density").unit("kg/m^3").positive().required().text("mass per volume at rest"),
           self.density);
     visit(Key("viscosity").unit("Pa s").non_negative().required().text("dynamic viscosity"),
           self.viscosity);

@@ -16,7 +16,7 @@ Vec3 principal_conductivities(const Thermal& material) {
 
 void check(const Thermal& material) {
   require(std::isfinite(material.density) && material.density > 0.0,
-          "thermal material: density must be positive (kg/m3), got ", material.density);
+          "thermal material: density must be positive (kg/m^3), got ", material.density);
   require(std::isfinite(material.specific_heat) && material.specific_heat > 0.0,
           "thermal material: specific_heat must be positive (J/(kg K)), got ",
           material.specific_heat);

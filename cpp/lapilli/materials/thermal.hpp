@@ -9,13 +9,13 @@ namespace lapilli {
 /// Not modelled: temperature dependence, phase change.
 struct Thermal {
   static constexpr const char* kind = "thermal";
-  double density = 0.0;          // kg/m3, of the undeformed body
+  double density = 0.0;          // kg/m^3, of the undeformed body
   double specific_heat = 0.0;    // J/(kg K)
   SymmetricTensor conductivity;  // W/(m K); a number is isotropic
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("density").unit("kg/m3").positive().required().text("mass per undeformed volume"),
+    visit(Key("density").unit("kg/m^3").positive().required().text("mass per undeformed volume"),
           self.density);
     visit(Key("specific_heat")
               .unit("J/(kg K)")

@@ -77,7 +77,7 @@ struct Body {
               .text("what it is made of: one material, or one for each physics"),
           self.material);
     visit(Key("temperature").unit("K").text("temperature at the start"), self.temperature);
-    visit(Key("source").unit("W/m3").text("heat released in its volume"), self.source);
+    visit(Key("source").unit("W/m^3").text("heat released in its volume"), self.source);
     visit(Key("velocity").unit("m/s").length(0, 3).text("velocity at the start"), self.velocity);
     visit(Key("motion").text("prescribed motion"), self.motion);
   }

@@ -12,7 +12,7 @@ namespace lapilli {
 /// The loads of one load step, at its end.
 template <int Dim>
 struct Loads {
-  std::vector<Vec<Dim>> body_force;              // N/m3, one a point; empty: none
+  std::vector<Vec<Dim>> body_force;              // N/m^3, one a point; empty: none
   std::vector<WallTerm<Dim>> walls;              //
   std::vector<Facet<Dim>> traction_faces;        //
   std::vector<std::vector<Vec<Dim>>> tractions;  // Pa, one a point of each face

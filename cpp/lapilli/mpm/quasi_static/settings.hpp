@@ -108,7 +108,7 @@ struct QuasiStaticSettings {
   std::optional<double> reset;      // cells a point moves before the grid is reset; 0.1, literal 0
   bool rebalance = true;            // balance once more where a step makes a reset due; literal not
   double largest_penetration = 0.5;  // cells; a point further behind a wall fails the load step
-  std::vector<Value> body_force;     // N/m3, one value an axis
+  std::vector<Value> body_force;     // N/m^3, one value an axis
   double tolerance = 1e-10;          // of the out-of-balance force, relative
   int largest_iterations = 12;       // of Newton's method in one load step
   int largest_halvings = 6;          // of a load step that fails
@@ -148,7 +148,7 @@ struct QuasiStaticSettings {
               .positive()
               .text("a point further behind a wall fails the load step"),
           self.largest_penetration);
-    visit(Key("body_force").unit("N/m3").length(0, 3).text("force per volume, one value an axis"),
+    visit(Key("body_force").unit("N/m^3").length(0, 3).text("force per volume, one value an axis"),
           self.body_force);
     visit(Key("tolerance").range(0.0, 1e-2, true).text("of the out-of-balance force, relative"),
           self.tolerance);
