@@ -23,6 +23,14 @@ PointGridTransfer<Dim>::PointGridTransfer(const Grid<Dim>& grid, ShapeFunction s
   for (auto* values : {&capacity, &temperature, &rate, &increment, &blended}) {
     values->assign(nodes, 0.0);
   }
+  if constexpr (Dim == 2) {
+    const bool isotropic = std::all_of(
+        coefficients.conductivity.begin(), coefficients.conductivity.end(),
+        [](const Mat<2>& k) { return k(0, 0) == k(1, 1) && k(0, 1) == 0.0 && k(1, 0) == 0.0; });
+    if (shape == ShapeFunction::linear && isotropic) {
+      stiffness_.emplace(grid);
+    }
+  }
   if (with_surface) {
     sums.fraction.assign(nodes, 0.0);
     sums.area_vector.assign(nodes, Vec<Dim>::Zero());
@@ -53,6 +61,9 @@ void PointGridTransfer<Dim>::clear(const CellOrder<Dim>& order) {
     for (auto* values : {&capacity, &temperature, &rate, &increment}) {
       std::fill(values->begin() + begin, values->begin() + end, 0.0);
     }
+    if (stiffness_) {
+      stiffness_->clear(begin, end);
+    }
     if (with_surface_) {
       std::fill(sums.fraction.begin() + begin, sums.fraction.begin() + end, 0.0);
       std::fill(sums.area_vector.begin() + begin, sums.area_vector.begin() + end,
@@ -81,8 +92,10 @@ void PointGridTransfer<Dim>::project(const Points& points, const CellOrder<Dim>&
   const auto sweep = [&](auto shape_of, auto affine, auto surface) {
     using Function = std::decay_t<decltype(shape_of(0))>;
     using Patch = PatchWeights<Dim, Function>;
+    constexpr bool may_sum_stiffness = Dim == 2 && std::is_same_v<Function, LinearShape>;
     const PatchNodes<Dim, Function> nodes(grid_);
     order.for_each_strip([&](Index begin, Index end) {
+      PlaneStiffness::Held stiffness(stiffness_ ? &*stiffness_ : nullptr);
       HeldPatches<Dim, Function, 2> held(nodes, {capacity.data(), temperature.data()});
       std::array<double*, 1 + Dim> arrays{sums.fraction.data()};
       for (int axis = 0; axis < Dim; ++axis) {
@@ -112,6 +125,10 @@ void PointGridTransfer<Dim>::project(const Points& points, const CellOrder<Dim>&
           held.sum[0][patch] += mass;
           held.sum[1][patch] += mass * (tilt + constant);
         }
+        if constexpr (may_sum_stiffness) {
+          const double k = coefficients_.conductivity[body[row]](0, 0);
+          stiffness.add(w.first(), k * volume[row], w.slope(0), w.slope(1));
+        }
         if constexpr (decltype(surface)::value) {
           shell.hold(w.first());
           const double v = volume[row];
@@ -129,6 +146,7 @@ void PointGridTransfer<Dim>::project(const Points& points, const CellOrder<Dim>&
         }
       });
       held.flush();
+      stiffness.flush();
       if constexpr (decltype(surface)::value) {
         shell.flush();
       }
@@ -187,6 +205,15 @@ template <int Dim, class Shape, bool WithGradient, class Point>
 
 template <int Dim>
 void PointGridTransfer<Dim>::conduct(const Points& points, const CellOrder<Dim>& order) {
+  if (stiffness_) {
+    stiffness_->conduct(temperature.data(), rate.data(), first_, last_);
+  } else {
+    conduct_by_points(points, order);
+  }
+}
+
+template <int Dim>
+void PointGridTransfer<Dim>::conduct_by_points(const Points& points, const CellOrder<Dim>& order) {
   const double* position = points.position().data();
   const double* volume = points.volume().data();
   const Index* body = points.body().data();

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lapilli/mpm/cell_order.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
+#include "lapilli/mpm/heat/plane_stiffness.hpp"
 #include "lapilli/mpm/heat/point_fields.hpp"
 
 namespace lapilli {
@@ -46,14 +48,16 @@ class PointGridTransfer {
   template <class Body>
   void with_shapes(const Body& body) const;
   void clear(const CellOrder<Dim>& order);
+  void conduct_by_points(const Points& points, const CellOrder<Dim>& order);
 
   Grid<Dim> grid_;
   ShapeFunction shape_;
   const HeatCoefficients<Dim>& coefficients_;
   bool with_surface_;
-  std::vector<GimpShape> gimp_;    // by body
-  std::vector<double> area_[Dim];  // sum V grad S by axis, while it is summed
-  Index first_ = 0, last_ = 0;     // nodes that points can touch
+  std::vector<GimpShape> gimp_;              // by body
+  std::vector<double> area_[Dim];            // sum V grad S by axis, while it is summed
+  std::optional<PlaneStiffness> stiffness_;  // where it serves: linear, isotropic, in the plane
+  Index first_ = 0, last_ = 0;               // nodes that points can touch
 };
 
 }  // namespace lapilli
