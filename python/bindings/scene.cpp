@@ -115,6 +115,16 @@ void bind_scene(py::module_& module) {
   bind_struct<Body>(module, "Body",
                     "A body: where its points come from (one of shape, points_file, points), "
                     "what it is made of, how it starts and how it is moved.");
+  bind_struct<FluidWallBody>(
+      module, "FluidWall",
+      "A wall of a peridynamic fluid: its shape, and what it does to flow and heat.");
+  bind_struct<PeridynamicHeatSettings>(module, "PeridynamicHeat",
+                                       "Heat conduction on the thermal horizon.");
+  bind_struct<PeridynamicFlowSettings>(module, "PeridynamicFlow",
+                                       "Weakly compressible viscous flow on the fluid horizon.");
+  bind_struct<PeridynamicsSettings>(
+      module, "Peridynamics",
+      "Bodies as points that act on each other at a distance instead of through a grid.");
   bind_struct<GridSettings>(module, "Grid",
                             "The background grid; its corners give the dimension of the scene.");
   bind_struct<TimeSettings>(module, "Time", "When the run ends and how its steps are chosen.");

@@ -13,6 +13,8 @@ struct Newtonian {
   double expansion = 0.0;              // 1/K
   double reference_temperature = 0.0;  // K
 
+  bool operator==(const Newtonian&) const = default;
+
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit(Key("density").unit("kg/m^3").positive().required().text("mass per volume at rest"),

@@ -13,6 +13,8 @@ struct Thermal {
   double specific_heat = 0.0;    // J/(kg K)
   SymmetricTensor conductivity;  // W/(m K); a number is isotropic
 
+  bool operator==(const Thermal&) const = default;
+
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit(Key("density").unit("kg/m^3").positive().required().text("mass per undeformed volume"),

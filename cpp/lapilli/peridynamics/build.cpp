@@ -29,18 +29,20 @@ void check_horizon(const char* name, double horizon, double spacing) {
           " m is not above the spacing of ", spacing, " m: no point would have a family");
 }
 
+void check_length(const std::vector<double>& given, int dimension, const std::string& what) {
+  require(given.empty() || static_cast<int>(given.size()) == dimension, what, " has ", given.size(),
+          " numbers in a scene of dimension ", dimension);
+}
+
 void check_walls(const PeridynamicScene& scene, int dimension) {
   for (const Wall& wall : scene.walls) {
-    const WallSettings& settings = wall.settings;
+    const FluidWallSettings& settings = wall.settings;
     require(!settings.temperature.is_function() && !settings.flux.is_function(), "wall '",
             settings.name, "': temperature and flux of a wall are numbers or tables in time");
     require(settings.heat != WallHeat::convection || settings.coefficient > 0.0, "wall '",
             settings.name, "' has convection with a coefficient of ", settings.coefficient,
             " W/(m^2 K), which must be above 0");
-    for (int d = dimension; d < 3; ++d) {
-      require(settings.velocity[d] == 0.0, "wall '", settings.name, "' has a velocity of ",
-              settings.velocity[d], " m/s along axis ", d, " of a scene of dimension ", dimension);
-    }
+    check_length(settings.velocity, dimension, message("velocity of wall '", settings.name, "'"));
   }
 }
 
@@ -70,6 +72,7 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
     check_horizon("fluid", scene.flow->horizon, scene.spacing);
     PeridynamicFlowSettings::describe(*scene.flow, ranges);
     check(fluid.newtonian);
+    check_length(scene.flow->gravity, points.dimension(), "flow.gravity");
     require(scene.heat || fluid.newtonian.expansion == 0.0,
             "expansion of the newtonian material is given, but the scene has no heat");
     require(!scene.heat || fluid.thermal.density == fluid.newtonian.density,

@@ -79,7 +79,7 @@ void Conduction<Dim>::measure_walls() {
 template <int Dim>
 double Conduction<Dim>::flux_through(const WallBond& bond, const WallState& state,
                                      double temperature) const {
-  const WallSettings& wall = walls_.walls()[bond.wall].settings;
+  const FluidWallSettings& wall = walls_.walls()[bond.wall].settings;
   switch (wall.heat) {
     case WallHeat::temperature:
       return conductivity_ * (state.temperature - temperature) / bond.distance;
@@ -141,31 +141,19 @@ void Conduction<Dim>::rates(const double* temperature, const std::vector<WallSta
 }
 
 template <int Dim>
-double Conduction<Dim>::wall_flux(int wall, const Vec3& place, double reach,
-                                  const double* temperature,
-                                  const std::vector<WallState>& surface) const {
-  double flux = 0.0, total = 0.0;
-  for (Index i = 0; i < points_.size(); ++i) {
+void Conduction<Dim>::wall_rows(const double* temperature, const std::vector<WallState>& surface,
+                                double* flux, double* area) const {
+  parallel_for(points_.size(), [&](Index i) {
+    flux[i] = area[i] = 0.0;
     if (!families().owns(i) || families().wall_begin(i) == families().end(i)) {
-      continue;
-    }
-    double squared = 0.0;
-    for (int d = 0; d < Dim; ++d) {
-      squared += std::pow(position(i)[d] - place[d], 2);
-    }
-    if (squared > 16.0 * reach * reach) {
-      continue;
+      return;
     }
     for_wall_bonds(i, [&](const WallBond& bond) {
-      if (bond.wall == wall) {
-        const double across = squared - bond.distance * bond.distance;
-        const double w = bond.area * std::exp(-across / (reach * reach));
-        flux += w * flux_through(bond, surface[wall], temperature[i]);
-        total += w;
-      }
+      flux[i] += bond.area * flux_through(bond, surface[bond.wall], temperature[i]);
+      area[i] += bond.area;
     });
-  }
-  return total > 0.0 ? flux / total : 0.0;
+    flux[i] = area[i] > 0.0 ? flux[i] / area[i] : 0.0;
+  });
 }
 
 template <int Dim>

@@ -23,8 +23,8 @@ class Conduction final : public HeatExchange {
   void refresh() override;
   void rates(const double* temperature, const std::vector<WallState>& surface, double* rate,
              std::vector<double>& from_walls) const override;
-  double wall_flux(int wall, const Vec3& place, double reach, const double* temperature,
-                   const std::vector<WallState>& surface) const override;
+  void wall_rows(const double* temperature, const std::vector<WallState>& surface, double* flux,
+                 double* area) const override;
   double wall_area(int wall) const override { return wall_area_[wall]; }
   double imbalance() const override { return bonds_.imbalance(); }
   void save(Archive& archive) const override;

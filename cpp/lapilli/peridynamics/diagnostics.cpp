@@ -27,6 +27,20 @@ double wall_nusselt(const PeridynamicHeat& heat, int wall, const NusseltScale& s
          (heat.wall_area(wall) * heat.material().conductivity() * scale.range);
 }
 
+double wall_flux_near(const Points& points, const PeridynamicHeat& heat, const Vec3& place,
+                      double reach) {
+  double flux = 0.0, total = 0.0;
+  for (Index i = 0; i < points.size(); ++i) {
+    if (heat.met_area()[i] > 0.0) {
+      const double squared = (heat.walls().place(i) - place).squaredNorm();
+      const double w = heat.met_area()[i] * std::exp(-squared / (reach * reach));
+      flux += w * heat.wall_heat_flux()[i];
+      total += w;
+    }
+  }
+  return total > 0.0 ? flux / total : 0.0;
+}
+
 double sample_fluid(const Points& points, const WallSurface& walls, std::span<const double> values,
                     int components, int component, const Vec3& place, double reach) {
   const int dimension = points.dimension();

@@ -19,6 +19,11 @@ double volume_mean_nusselt(const Points& points, const Flow& flow, const Peridyn
 /// Heat flow out of `wall` over its area, in units of conduction.
 double wall_nusselt(const PeridynamicHeat& heat, int wall, const NusseltScale& scale);
 
+/// Heat flux into the fluid through walls near `place`, W/m^2: the mean over the points that meet
+/// them, a Gaussian of `reach` m weighted by area. Call Simulation::fields() before.
+double wall_flux_near(const Points& points, const PeridynamicHeat& heat, const Vec3& place,
+                      double reach);
+
 /// A quantity of the fluid at `place`: the linear function that fits the fluid points within
 /// `reach` m best, weighted by a Gaussian. `values` has `components` a row. Throws
 /// std::invalid_argument when too few points are near.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <utility>
+#include <vector>
 
 #include "lapilli/core/describe.hpp"
 #include "lapilli/peridynamics/heat_settings.hpp"
@@ -23,7 +23,7 @@ struct Names<Buoyancy> {
 
 /// Weakly compressible viscous flow on the fluid horizon.
 struct PeridynamicFlowSettings {
-  std::array<double, 3> gravity = {0.0, 0.0, 0.0};  // m/s^2
+  std::vector<double> gravity;  // m/s^2; empty: none
 
   /// The full form balances the whole weight by pressure: its error is 1/(beta dT) times the
   /// buoyancy, and the sound speed follows sqrt(g l) instead of sqrt(g beta dT l).
@@ -48,7 +48,7 @@ struct PeridynamicFlowSettings {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("gravity").unit("m/s^2"), self.gravity);
+    visit(Key("gravity").unit("m/s^2").length(0, 3).text("empty: none"), self.gravity);
     visit(Key("buoyancy").text("reduced: only what temperature changes; full: all of the weight"),
           self.buoyancy);
     visit(Key("horizon").range(1.0, 10.0, true).text("fluid horizon, in spacings"), self.horizon);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "lapilli/core/value.hpp"
@@ -12,9 +11,9 @@ namespace lapilli {
 /// How one body of the fluid starts and what heats it.
 struct FluidBody {
   int body = 0;
-  Value temperature = 0.0;                           // K, at the start
-  Value source = 0.0;                                // W/m^3
-  std::array<double, 3> velocity = {0.0, 0.0, 0.0};  // m/s, at the start
+  Value temperature = 0.0;       // K, at the start
+  Value source = 0.0;            // W/m^3
+  std::vector<double> velocity;  // m/s, at the start; empty: at rest
 };
 
 /// The one fluid of a scene. `thermal` counts where heat is modelled, `newtonian` where flow is.

@@ -18,6 +18,8 @@ PeridynamicHeat::PeridynamicHeat(Points& points, std::shared_ptr<WallSurface> wa
       temperature_(points, 1),
       capacity_(points, 1),
       rate_(points, 1),
+      wall_heat_flux_(points, 1),
+      met_area_(points, 1),
       surface_(walls_->walls().size()),
       from_walls_(walls_->walls().size(), 0.0),
       taken_in_(walls_->walls().size() + 2, 0.0) {
@@ -71,10 +73,16 @@ StepReport PeridynamicHeat::advance(const Step& step) {
 }
 
 void PeridynamicHeat::prescribe_walls(double time) {
+  bool changed = !prescribed_;
   for (std::size_t k = 0; k < surface_.size(); ++k) {
-    const WallSettings& wall = walls_->walls()[k].settings;
-    surface_[k].temperature = wall.temperature.at(time);
-    surface_[k].flux = wall.flux.at(time);
+    const FluidWallSettings& wall = walls_->walls()[k].settings;
+    const WallState now{wall.temperature.at(time), wall.flux.at(time)};
+    changed |= now.temperature != surface_[k].temperature;
+    surface_[k] = now;
+  }
+  prescribed_ = true;
+  if (!changed) {
+    return;
   }
   for (Index i = 0; i < points_.size(); ++i) {
     const int k = walls_->wall(i);
@@ -156,14 +164,15 @@ double PeridynamicHeat::wall_range() const {
   return most > least ? most - least : 0.0;
 }
 
-double PeridynamicHeat::wall_flux(int wall, const Vec3& place, double reach) const {
-  return exchange_->wall_flux(wall, place, reach, temperature_.data(), surface_);
+void PeridynamicHeat::refresh_output() {
+  exchange_->refresh();
+  exchange_->wall_rows(temperature_.data(), surface_, wall_heat_flux_.data(), met_area_.data());
 }
 
-void PeridynamicHeat::refresh_output() { exchange_->refresh(); }
-
 std::vector<Field> PeridynamicHeat::fields() {
-  return {{"temperature", "K", 1, temperature_.values()}};
+  return {{"temperature", "K", 1, temperature_.values()},
+          {"wall_heat_flux", "W/m^2", 1, wall_heat_flux_.values()},
+          {"wall_area", "m^(dim-1)", 1, met_area_.values()}};
 }
 
 std::vector<Ledger> PeridynamicHeat::ledgers() const {
@@ -199,6 +208,7 @@ void PeridynamicHeat::load(const Archive& archive) {
   initial_ = archive.read_number("heat/initial");
   started_ = archive.read_index("heat/started") == 1;
   walls_->load(archive);
+  prescribed_ = false;
   exchange_->load(archive);
 }
 

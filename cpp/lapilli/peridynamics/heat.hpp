@@ -42,8 +42,10 @@ class PeridynamicHeat final : public Physics {
   double wall_power(int wall) const { return from_walls_[wall]; }
   /// Difference between the highest and the lowest temperature prescribed by walls, K.
   double wall_range() const;
-  /// Heat flux into the fluid near `place` on `wall`, W/m^2; see HeatExchange::wall_flux.
-  double wall_flux(int wall, const Vec3& place, double reach) const;
+  /// Mean heat flux into each point from the walls it meets, W/m^2, and the area it meets them
+  /// with, m^(dimension - 1); brought up to date by refresh_output().
+  const PointArray& wall_heat_flux() const { return wall_heat_flux_; }
+  const PointArray& met_area() const { return met_area_; }
   double wall_area(int wall) const { return exchange_->wall_area(wall); }
   const WallSurface& walls() const { return *walls_; }
   const HeatExchange& exchange() const { return *exchange_; }
@@ -60,13 +62,13 @@ class PeridynamicHeat final : public Physics {
   PeridynamicHeatSettings settings_;
   Fluid fluid_;
   std::unique_ptr<HeatExchange> exchange_;
-  PointArray temperature_, capacity_, rate_;
+  PointArray temperature_, capacity_, rate_, wall_heat_flux_, met_area_;
   const PointArray* dissipation_ = nullptr;
   std::vector<WallState> surface_;
   std::vector<double> from_walls_;
   double source_power_ = 0.0, dissipated_power_ = 0.0;
   double initial_ = 0.0;
-  bool started_ = false;
+  bool started_ = false, prescribed_ = false;
   std::vector<double> taken_in_;  // J: walls, source, dissipation
 };
 

@@ -29,10 +29,10 @@ class HeatExchange {
   /// Rate of heat into every fluid point, W (rows of other points: 0), and from every wall, W.
   virtual void rates(const double* temperature, const std::vector<WallState>& surface, double* rate,
                      std::vector<double>& from_walls) const = 0;
-  /// Mean heat flux into the fluid, W/m^2, through `wall` near `place`: an average over the bonds
-  /// that meet it, Gaussian of width `reach` m.
-  virtual double wall_flux(int wall, const Vec3& place, double reach, const double* temperature,
-                           const std::vector<WallState>& surface) const = 0;
+  /// What walls do to each point: the area that its bonds to them stand for, m^(dimension - 1), and
+  /// the mean heat flux into it through that area, W/m^2; 0 where no wall is near.
+  virtual void wall_rows(const double* temperature, const std::vector<WallState>& surface,
+                         double* flux, double* area) const = 0;
   /// Wetted area of `wall`, m^(dimension - 1).
   virtual double wall_area(int wall) const = 0;
   /// Largest |sum of G Y| / sum of G |Y| over points that no wall touches: the rate that a linear

@@ -6,6 +6,7 @@
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/geometry/checks.hpp"
 #include "lapilli/peridynamics/flow_places.hpp"
 #include "lapilli/peridynamics/heat.hpp"
 #include "lapilli/peridynamics/sound_speed.hpp"
@@ -33,8 +34,8 @@ std::vector<FamilyRole> roles_of(const WallSurface& walls) {
 }
 
 template <int Dim>
-Vec<Dim> vector_of(const std::array<double, 3>& values) {
-  return Eigen::Map<const Vec<3>>(values.data()).template head<Dim>();
+Vec<Dim> vector_of(const std::vector<double>& values) {
+  return place(values).template head<Dim>();
 }
 
 }  // namespace
@@ -63,6 +64,7 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
       density_(points, 1, fluid.newtonian.density),
       mass_(points, 1),
       shift_(points, Dim),
+      pressure_field_(points, 1),
       force_(points.size()),
       families_(points, weight_.horizon, settings.skin * walls_->spacing(), roles_of(*walls_)),
       least_density_(fluid.newtonian.density),
@@ -362,9 +364,17 @@ void PeridynamicFlow<Dim>::check_density() {
 }
 
 template <int Dim>
+void PeridynamicFlow<Dim>::refresh_output() {
+  for (Index i = 0; i < points_.size(); ++i) {
+    pressure_field_[i] = pressure_(density_[i]);
+  }
+}
+
+template <int Dim>
 std::vector<Field> PeridynamicFlow<Dim>::fields() {
   return {{"velocity", "m/s", Dim, velocity_.values()},
-          {"density", "kg/m^3", 1, density_.values()}};
+          {"density", "kg/m^3", 1, density_.values()},
+          {"pressure", "Pa", 1, pressure_field_.values()}};
 }
 
 template <int Dim>

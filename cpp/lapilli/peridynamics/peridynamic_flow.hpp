@@ -29,6 +29,7 @@ class PeridynamicFlow final : public Flow {
   std::string name() const override { return "flow"; }
   StepLimit step_limit() const override;
   StepReport advance(const Step& step) override;
+  void refresh_output() override;
   std::vector<Field> fields() override;
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
@@ -80,7 +81,7 @@ class PeridynamicFlow final : public Flow {
   EquationOfState pressure_;
   bool two_field_;
 
-  PointArray velocity_, acceleration_, density_, mass_, shift_;
+  PointArray velocity_, acceleration_, density_, mass_, shift_, pressure_field_;
   std::unique_ptr<PointArray> dissipation_;
   StressForce<Dim> force_;
   Families families_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/geometry/checks.hpp"
 
 namespace lapilli {
 
@@ -15,9 +16,9 @@ double choose_sound_speed(const Points& points, const WallSurface& walls,
   }
   double wall_speed = 0.0;
   for (const Wall& wall : walls.walls()) {
-    wall_speed = std::max(wall_speed, Eigen::Map<const Vec3>(wall.settings.velocity.data()).norm());
+    wall_speed = std::max(wall_speed, place(wall.settings.velocity).norm());
   }
-  const Eigen::Map<const Vec3> gravity(settings.gravity.data());
+  const Vec3 gravity = place(settings.gravity);
   const double g = gravity.norm();
   const Vec3 along = g > 0.0 ? Vec3(gravity / g) : Vec3(Vec3::UnitX());
   double least = 1e300, most = -1e300;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
 
 namespace lapilli {
@@ -107,36 +108,32 @@ void TwoFieldConduction<Dim>::rates(const double* temperature,
 }
 
 template <int Dim>
-double TwoFieldConduction<Dim>::wall_flux(int wall, const Vec3& place, double reach,
-                                          const double* temperature,
-                                          const std::vector<WallState>& surface) const {
-  if (walls_.walls()[wall].settings.heat != WallHeat::temperature) {
-    return 0.0;
-  }
+void TwoFieldConduction<Dim>::wall_rows(const double* temperature,
+                                        const std::vector<WallState>& surface, double* flux,
+                                        double* area) const {
   // The slope between the surface and the points next to it.
-  double flux = 0.0, total = 0.0;
-  for (Index i = 0; i < points_.size(); ++i) {
+  parallel_for(points_.size(), [&](Index i) {
+    flux[i] = area[i] = 0.0;
     if (walls_.wall(i) >= 0) {
-      continue;
+      return;
     }
     for (Index bond = families_.wall_begin(i); bond < families_.end(i); ++bond) {
       const Index j = families_.neighbour(bond);
-      if (walls_.wall(j) != wall || operators_->weight(bond) == 0.0) {
+      if (operators_->weight(bond) == 0.0) {
         continue;
-      }
-      double squared = 0.0;
-      for (int d = 0; d < Dim; ++d) {
-        squared += std::pow(points_.position()[j * Dim + d] - place[d], 2);
       }
       const double ahead =
           std::max(0.1 * walls_.spacing(),
                    walls_.template distance<Dim>(points_.position().data() + i * Dim, j));
-      const double w = operators_->weight(bond) * std::exp(-squared / (reach * reach));
-      flux += w * conductivity_ * (surface[wall].temperature - temperature[i]) / ahead;
-      total += w;
+      const double w = operators_->weight(bond);
+      flux[i] += w * conductivity_ * (surface[walls_.wall(j)].temperature - temperature[i]) / ahead;
+      area[i] += w;
     }
-  }
-  return total > 0.0 ? flux / total : 0.0;
+    if (area[i] > 0.0) {
+      flux[i] /= area[i];
+      area[i] = points_.volume()[i] / walls_.spacing();
+    }
+  });
 }
 
 template <int Dim>

@@ -26,8 +26,8 @@ class TwoFieldConduction final : public HeatExchange {
   void refresh() override { update(); }
   void rates(const double* temperature, const std::vector<WallState>& surface, double* rate,
              std::vector<double>& from_walls) const override;
-  double wall_flux(int wall, const Vec3& place, double reach, const double* temperature,
-                   const std::vector<WallState>& surface) const override;
+  void wall_rows(const double* temperature, const std::vector<WallState>& surface, double* flux,
+                 double* area) const override;
   double wall_area(int wall) const override;
   double imbalance() const override;
   void save(Archive& archive) const override { families_.save(archive, "heat/families"); }

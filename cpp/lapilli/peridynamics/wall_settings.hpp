@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "lapilli/core/describe.hpp"
 #include "lapilli/core/value.hpp"
@@ -31,10 +31,10 @@ struct Names<WallHeat> {
 };
 
 /// One wall of a peridynamic fluid: a body of wall points of at least one horizon's thickness.
-struct WallSettings {
+struct FluidWallSettings {
   std::string name = "wall";
   Slip slip = Slip::no_slip;
-  std::array<double, 3> velocity = {0.0, 0.0, 0.0};  // m/s
+  std::vector<double> velocity;  // m/s; empty: at rest
   bool moves = false;  // the points travel with `velocity`; otherwise only their surface runs
   WallHeat heat = WallHeat::adiabatic;
   Value temperature = 0.0;   // K; of the surface, or of the surroundings for convection
@@ -45,7 +45,8 @@ struct WallSettings {
   static void describe(Self& self, Visitor& visit) {
     visit(Key("name").text("how output calls the wall"), self.name);
     visit(Key("slip").text("whether the fluid sticks to the wall"), self.slip);
-    visit(Key("velocity").unit("m/s").text("velocity of the wall's surface"), self.velocity);
+    visit(Key("velocity").unit("m/s").length(0, 3).text("velocity of the wall's surface"),
+          self.velocity);
     visit(Key("moves").text("whether the wall's points travel with that velocity"), self.moves);
     visit(Key("heat").text("thermal condition on the wall"), self.heat);
     visit(Key("temperature").unit("K").text("of the surface, or of the surroundings (convection)"),

@@ -13,7 +13,7 @@ using FluidDistance = std::function<double(const Vec3&)>;
 
 /// A wall and the body that holds its points.
 struct Wall {
-  WallSettings settings;
+  FluidWallSettings settings;
   int body = 0;
 };
 

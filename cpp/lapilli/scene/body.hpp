@@ -9,13 +9,14 @@
 #include "lapilli/core/value.hpp"
 #include "lapilli/geometry/shape.hpp"
 #include "lapilli/materials/elastic.hpp"
+#include "lapilli/materials/newtonian.hpp"
 #include "lapilli/materials/thermal.hpp"
 #include "lapilli/mpm/prescribed_motion.hpp"
 
 namespace lapilli {
 
 /// What a body is made of; each physics takes the one it knows.
-using Material = std::variant<Thermal, LinearElastic>;
+using Material = std::variant<Thermal, LinearElastic, Newtonian>;
 
 /// Points handed over by a program; no file holds them.
 struct GivenPoints {
@@ -82,5 +83,16 @@ struct Body {
     visit(Key("motion").text("prescribed motion"), self.motion);
   }
 };
+
+/// The material of this kind that a body is made of; nullptr without one.
+template <class Wanted>
+const Wanted* material_in(const Body& body) {
+  for (const Material& one : body.material) {
+    if (const auto* wanted = std::get_if<Wanted>(&one)) {
+      return wanted;
+    }
+  }
+  return nullptr;
+}
 
 }  // namespace lapilli

@@ -13,15 +13,6 @@ namespace {
 
 std::string body_path(std::size_t index) { return message("bodies.", index); }
 
-Bounds grid_bounds(const Scene& scene) {
-  Bounds bounds;
-  for (std::size_t axis = 0; axis < scene.grid.lower.size(); ++axis) {
-    bounds.lower[static_cast<int>(axis)] = scene.grid.lower[axis];
-    bounds.upper[static_cast<int>(axis)] = scene.grid.upper[axis];
-  }
-  return bounds;
-}
-
 int points_along_axis(const Body& body, int dimension) {
   return body.points_per_cell ? points_per_axis(*body.points_per_cell, dimension) : 2;
 }
@@ -153,6 +144,15 @@ void require_apart(const Scene& scene, const std::vector<FilledPoints>& filled) 
 }
 
 }  // namespace
+
+Bounds grid_bounds(const Scene& scene) {
+  Bounds bounds;
+  for (std::size_t axis = 0; axis < scene.grid.lower.size(); ++axis) {
+    bounds.lower[static_cast<int>(axis)] = scene.grid.lower[axis];
+    bounds.upper[static_cast<int>(axis)] = scene.grid.upper[axis];
+  }
+  return bounds;
+}
 
 int dimension_of(const Scene& scene) { return static_cast<int>(scene.grid.lower.size()); }
 

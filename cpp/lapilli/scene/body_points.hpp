@@ -11,6 +11,9 @@ namespace lapilli {
 /// The dimension of a scene: how many numbers grid.lower has.
 int dimension_of(const Scene& scene);
 
+/// The box that the grid spans.
+Bounds grid_bounds(const Scene& scene);
+
 /// The shape of a body where it stands, rotation and translation included; none for bodies that are
 /// not given by a shape.
 std::optional<Shape> placed_shape(const Body& body);

@@ -6,6 +6,7 @@
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
 #include "lapilli/scene/body_points.hpp"
+#include "lapilli/scene/build_peridynamics.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/validate.hpp"
@@ -31,10 +32,14 @@ Grid<Dim> grid_of(const Scene& scene) {
   });
 }
 
-std::unique_ptr<Points> points_of(const Scene& scene, const std::vector<FilledPoints>& filled) {
+std::unique_ptr<Points> points_of(const Scene& scene, const std::vector<FilledPoints>& filled,
+                                  const std::vector<FilledPoints>& walls) {
   auto points = std::make_unique<Points>(dimension_of(scene));
-  for (std::size_t k = 0; k < filled.size(); ++k) {
-    points->append(filled[k].position, filled[k].volume, static_cast<int>(k));
+  int body = 0;
+  for (const auto& group : {&filled, &walls}) {
+    for (const FilledPoints& some : *group) {
+      points->append(some.position, some.volume, body++);
+    }
   }
   return points;
 }
@@ -105,13 +110,19 @@ template <int Dim>
 std::unique_ptr<Simulation> build_in(const Scene& scene) {
   const Grid<Dim> grid = grid_of<Dim>(scene);
   const std::vector<FilledPoints> filled = fill_bodies(scene);
-  std::unique_ptr<Points> points = points_of(scene, filled);
+  const std::vector<FilledPoints> walls = fill_walls(scene, filled);
+  std::unique_ptr<Points> points = points_of(scene, filled, walls);
   PhysicsList physics;
   if (scene.heat) {
     physics.push_back(heat_of<Dim>(scene, grid, filled, *points));
   }
   if (scene.quasi_static) {
     physics.push_back(quasi_static_of(scene, *points));
+  }
+  if (scene.peridynamics) {
+    for (auto& one : physics_of_peridynamics(scene, filled, *points)) {
+      physics.push_back(std::move(one));
+    }
   }
   if (has_motion(scene)) {
     std::vector<std::optional<Motion>> motions;

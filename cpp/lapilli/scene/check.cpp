@@ -36,6 +36,11 @@ void describe_bodies(const Scene& scene, const Simulation& simulation, CheckRepo
     const std::string& name = scene.bodies[k].name;
     report.bodies.push_back({name.empty() ? message("body ", k) : name, 0, 0.0, 0.0});
   }
+  if (scene.peridynamics) {
+    for (const FluidWallBody& wall : scene.peridynamics->walls) {
+      report.bodies.push_back({message("wall ", wall.name), 0, 0.0, 0.0});
+    }
+  }
   for (Index row = 0; row < points.size(); ++row) {
     CheckReport::BodyReport& body = report.bodies[static_cast<std::size_t>(points.body()[row])];
     ++body.points;
@@ -43,6 +48,25 @@ void describe_bodies(const Scene& scene, const Simulation& simulation, CheckRepo
   }
   for (CheckReport::BodyReport& body : report.bodies) {
     body.spacing = std::pow(body.volume / static_cast<double>(body.points), 1.0 / report.dimension);
+  }
+}
+
+void describe_peridynamics(const Scene& scene, CheckReport& report) {
+  const PeridynamicsSettings& settings = *scene.peridynamics;
+  (settings.heat ? report.modelled : report.not_modelled).push_back("peridynamic heat conduction");
+  (settings.flow ? report.modelled : report.not_modelled).push_back("viscous flow");
+  if (settings.heat && settings.flow) {
+    const bool full = settings.flow->buoyancy == Buoyancy::full;
+    report.modelled.push_back(full ? "buoyancy by all of the weight" : "buoyancy");
+    (settings.heat->dissipation ? report.modelled : report.not_modelled)
+        .push_back("viscous heating");
+  }
+  if (settings.walls.empty()) {
+    report.notes.push_back("[peridynamics] has no walls: nothing holds the fluid");
+  }
+  for (const char* absent : {"free surfaces", "properties that depend on temperature",
+                             "heat within walls", "radiation", "turbulence"}) {
+    report.not_modelled.push_back(absent);
   }
 }
 
@@ -102,6 +126,10 @@ void describe_quasi_static(const Scene& scene, CheckReport& report) {
 }
 
 void describe_physics(const Scene& scene, CheckReport& report) {
+  if (scene.peridynamics) {
+    describe_peridynamics(scene, report);
+    return;
+  }
   describe_heat(scene, report);
   describe_quasi_static(scene, report);
   bool moving = false;
@@ -152,8 +180,27 @@ void measure_steps(Simulation& simulation, CheckReport& report) {
                                            static_cast<double>(report.steps);
 }
 
+// Arrays of points, and of bonds: a neighbour, its weight and its conductance each.
+double memory_of_peridynamics(const PeridynamicsSettings& settings, const CheckReport& report) {
+  const auto bonds = [&](double horizon, double skin) {
+    const double r = horizon + skin;
+    return report.dimension == 1 ? 2.0 * r : report.dimension == 2 ? 3.2 * r * r : 4.2 * r * r * r;
+  };
+  double bytes = 8.0 * (4.0 + 2.0 * report.dimension);
+  if (settings.heat) {
+    bytes += 8.0 * 20.0 + 20.0 * bonds(settings.heat->horizon, settings.heat->skin);
+  }
+  if (settings.flow) {
+    bytes += 8.0 * 40.0 + 12.0 * bonds(settings.flow->horizon, settings.flow->skin);
+  }
+  return bytes * static_cast<double>(report.points);
+}
+
 // Arrays of points and nodes, and the rows of the assembled nodal operator.
 double memory_of(const Scene& scene, const CheckReport& report) {
+  if (scene.peridynamics) {
+    return memory_of_peridynamics(*scene.peridynamics, report);
+  }
   const double point_numbers = 4.0 + report.dimension + 4.0 * (1 + report.dimension);
   const double stencil = std::pow(5.0, report.dimension);
   double node_numbers = scene.heat ? 16.0 + stencil : 4.0;

@@ -10,6 +10,7 @@
 #include "lapilli/mpm/quasi_static/settings.hpp"
 #include "lapilli/mpm/shape_function.hpp"
 #include "lapilli/scene/body.hpp"
+#include "lapilli/scene/peridynamics.hpp"
 
 namespace lapilli {
 
@@ -82,6 +83,7 @@ struct Scene {
   std::vector<Body> bodies;
   std::optional<HeatSettings> heat;
   std::optional<QuasiStaticSettings> quasi_static;
+  std::optional<PeridynamicsSettings> peridynamics;
   TimeSettings time;
   OutputSettings output;
   std::shared_ptr<const Places> places;  // where each key stood in the file; null when in none
@@ -94,6 +96,9 @@ struct Scene {
     visit(Key("heat").text("heat conduction; absent: not modelled"), self.heat);
     visit(Key("quasi_static").text("equilibrium under load steps; absent: not modelled"),
           self.quasi_static);
+    visit(
+        Key("peridynamics").text("bodies as peridynamic points, with heat and flow; absent: none"),
+        self.peridynamics);
     visit(Key("time").required().text("end and steps"), self.time);
     visit(Key("output").text("frames and checkpoints"), self.output);
   }

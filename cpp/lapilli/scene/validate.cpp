@@ -7,6 +7,7 @@
 #include "lapilli/scene/member_types.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/resolve_files.hpp"
+#include "lapilli/scene/validate_peridynamics.hpp"
 
 namespace lapilli {
 namespace {
@@ -130,14 +131,16 @@ void check_body(const Scene& scene, const Body& body, const std::string& path) {
   if (body.motion) {
     check_motion(scene, *body.motion, path + ".motion");
   }
-  int thermal = 0, elastic = 0;
+  int thermal = 0, elastic = 0, newtonian = 0;
   for (const Material& material : body.material) {
     at_place(scene, path + ".material",
              [&] { std::visit([](const auto& known) { check(known); }, material); });
     thermal += std::holds_alternative<Thermal>(material);
     elastic += std::holds_alternative<LinearElastic>(material);
+    newtonian += std::holds_alternative<Newtonian>(material);
   }
   require_at(thermal <= 1, scene, path + ".material", "has ", thermal, " thermal materials");
+  require_at(newtonian <= 1, scene, path + ".material", "has ", newtonian, " newtonian materials");
   require_at(!scene.heat || thermal == 1, scene, path + ".material",
              "has no thermal material, which [heat] needs");
   require_at(elastic <= 1, scene, path + ".material", "has ", elastic, " elastic materials");
@@ -177,6 +180,7 @@ void validate(const Scene& as_written) {
   if (scene.quasi_static) {
     check_quasi_static(scene);
   }
+  validate_peridynamics(scene);
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     check_body(scene, scene.bodies[k], message("bodies.", k));
   }

@@ -1,4 +1,5 @@
-"""Scenes that try the stability of heat: scattered points, stiff surfaces, contrasts, motion."""
+"""Scenes that try the stability of heat: scattered points, stiff surfaces, contrasts, motion; and
+peridynamic cavities."""
 
 from __future__ import annotations
 
@@ -7,10 +8,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import lapilli as lp
+from lapilli.extremes.fluid import fluid_scenes
 
 CELL = 1.0  # m; conductivity and capacity are 1, so that h^2/alpha is 1 s
 HALF = 6.0  # half the side of the square, m
-TRANSFERS = ("kept", "flip", "pic", "tpic", "affine")
+FLUID = "peridynamics"  # stands for a transfer in scenes that have none
+TRANSFERS = ("kept", "flip", "pic", "tpic", "affine", FLUID)
 
 
 @dataclass(frozen=True)
@@ -25,7 +28,10 @@ class Case:
 
 def all_cases(transfers: tuple[str, ...] = TRANSFERS) -> Iterator[Case]:
     """Every case with every transfer that it allows."""
-    for transfer in transfers:
+    if FLUID in transfers:
+        for name, scene in fluid_scenes():
+            yield Case(name, FLUID, scene, False)
+    for transfer in (one for one in transfers if one != FLUID):
         for biot in (1e-6, 1.0, 1e6):
             yield Case(f"lattice, Biot {biot:g}", transfer, square(transfer, biot), True)
         for name, layout in LAYOUTS.items():

@@ -45,7 +45,7 @@ class Row:
 
 def measure(case: Case, factors: tuple[float, ...] = FACTORS) -> Iterator[Row]:
     """Try every step. Steps that are refused or blow up are results."""
-    automatic, _, _ = Simulation(case.scene).limits()["heat"]
+    automatic = min(limit for limit, _, _ in Simulation(case.scene).limits().values())
     end = LONG * automatic
     truth, _ = _run(case, FINE * automatic, end)
     for factor in factors:

@@ -14,6 +14,10 @@ MODULES: dict[str, str] = {
     "vhfm/sphere": "lapilli.reproduce.vhfm.sphere",
     "vhfm/square": "lapilli.reproduce.vhfm.square",
     "vhfm/fan": "lapilli.reproduce.vhfm.fan",
+    "pd/conduction": "lapilli.reproduce.pd.conduction",
+    "pd/cavity": "lapilli.reproduce.pd.cavity",
+    "pd/benard": "lapilli.reproduce.pd.benard",
+    "pd/thermals": "lapilli.reproduce.pd.thermals",
     "ib/block": "lapilli.reproduce.ib.block",
 }
 

@@ -86,8 +86,9 @@ def from_finer_run(scene: Scene, finer: Setting, field: str, times: Sequence[flo
     positions, values = [], []
     for time in times:
         simulation.run_until(time)
-        positions.append(simulation["position"].copy())
-        values.append(simulation[field].copy())
+        own = simulation["body"] < len(scene.bodies)  # and no points of walls
+        positions.append(simulation["position"][own])
+        values.append(simulation[field][own])
     return PointsReference(np.asarray(times, float), positions, values)
 
 

@@ -4,6 +4,8 @@
 |---|---|---|
 | radial | 1D box, disk, annulus, sphere or hollow sphere | Galerkin in r, exact in time |
 | slab | box with the same convection all round, also turned or turning | series |
+| plates | peridynamic box between two held walls, heat alone | series |
+| cavity, cavity-velocity | the same with buoyant flow, once steady | finite differences |
 """
 
 from __future__ import annotations
@@ -17,6 +19,7 @@ import numpy.typing as npt
 
 import lapilli._core as lp
 from lapilli._core import Body, Scene
+from lapilli.study.enclosure import cavity, cavity_velocity, plates
 
 Array = npt.NDArray[Any]
 
@@ -127,7 +130,13 @@ def slab(scene: Scene) -> BoxReference:
     )
 
 
-SHIPPED: dict[str, Callable[[Scene], Any]] = {"radial": radial, "slab": slab}
+SHIPPED: dict[str, Callable[[Scene], Any]] = {
+    "radial": radial,
+    "slab": slab,
+    "plates": plates,
+    "cavity": cavity,
+    "cavity-velocity": cavity_velocity,
+}
 
 
 def only_body(scene: Scene) -> Body:

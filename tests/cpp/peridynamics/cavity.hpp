@@ -141,7 +141,7 @@ inline Case natural_convection(const Layout& layout, double rayleigh, double pra
   Fluid fluid = unit_fluid();
   fluid.newtonian = {1.0, prandtl, 1.0, 0.5};
   fluid.bodies[0].temperature = 0.5;
-  flow.gravity = {0.0, -rayleigh * prandtl, 0.0};
+  flow.gravity = {0.0, -rayleigh * prandtl};
   return Case(layout, heat, flow, make_walls(1.0, 0.0), fluid);
 }
 

@@ -70,7 +70,7 @@ TEST_CASE("bad scenes are refused with the place and the number") {
 
   scene = scene_of(layout);
   scene.walls[0].settings.velocity = {0.0, 0.0, 1.0};
-  REQUIRE_THAT(refusal(layout, scene), Contains("axis 2"));
+  REQUIRE_THAT(refusal(layout, scene), Contains("3 numbers"));
 }
 
 TEST_CASE("absent physics is absent") {

@@ -36,7 +36,7 @@ Measured measure(Case& run, double begin, double end) {
       v[k] += sample_fluid(run.points(), walls, values, 2, 1, Vec3(s, 0.5, 0), 2.5 * dx) / looks;
     }
     for (int k = 0; k <= 50; ++k) {
-      local[k] += run.heat->wall_flux(0, Vec3(0, k / 50.0, 0), dx) / looks;
+      local[k] += wall_flux_near(run.points(), *run.heat, Vec3(0, k / 50.0, 0), dx) / looks;
     }
   }
   const auto after = run.heat->ledgers()[0];

@@ -92,7 +92,7 @@ TEST_CASE("a lid drags the fluid along; a wall that moves takes its points with 
   PeridynamicFlowSettings flow;
   for (const bool moves : {false, true}) {
     auto walls = cavity::make_walls(0.0, 0.0);
-    walls[3].settings.velocity = {2.0, 0.0, 0.0};
+    walls[3].settings.velocity = {2.0, 0.0};
     walls[3].settings.moves = moves;
     Case run(square(10), {}, flow, walls);
     REQUIRE(run.flow->sound_speed() == Approx(20.0));  // 10 wall speeds
@@ -124,10 +124,10 @@ TEST_CASE("the sound speed follows what drives the flow") {
   flow.buoyancy = Buoyancy::full;
   Fluid fluid = cavity::unit_fluid();
   fluid.newtonian.expansion = 0.01;
-  flow.gravity = {0.0, -100.0, 0.0};
+  flow.gravity = {0.0, -100.0};
   REQUIRE(Case(layout, {}, flow, cavity::make_walls(1.0, 0.0), fluid).flow->sound_speed() ==
           Approx(50.0));
-  flow.gravity = {0.0, 0.0, 0.0};
+  flow.gravity = {0.0, 0.0};
   fluid.newtonian.viscosity = 0.0;
   REQUIRE_THROWS_WITH(Case(layout, {}, flow, cavity::make_walls(1.0, 0.0), fluid),
                       Catch::Contains("give sound_speed"));
@@ -229,7 +229,7 @@ bool survives(PrintedEquations printed, double density_diffusion, double time) {
   Fluid fluid = cavity::unit_fluid();
   fluid.newtonian = {1.0, 0.71, 1.0, 0.5};
   fluid.bodies[0].temperature = 0.5;
-  settings.gravity = {0.0, -7.1e3, 0.0};
+  settings.gravity = {0.0, -7.1e3};
   std::vector<std::unique_ptr<Physics>> physics;
   auto heat = std::make_unique<PeridynamicHeat>(*points, walls, heat_settings, fluid);
   const PeridynamicHeat* warm = heat.get();

@@ -222,7 +222,7 @@ TEST_CASE("conduction alone: any threads and a resume give the same bytes, nothi
     set_thread_count(threads);
     Case run(square(20, 0.1), {});
     REQUIRE(run.flow == nullptr);
-    REQUIRE(run.simulation->fields().size() == 1);
+    REQUIRE(run.simulation->fields().size() == 3);
     run.simulation->run_until(0.01);
     Archive archive;
     run.simulation->save(archive);

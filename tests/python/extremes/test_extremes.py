@@ -4,7 +4,7 @@ import pytest
 
 from lapilli.cli import main
 from lapilli.extremes import Case, Outcome, all_cases, measure
-from lapilli.extremes.cases import square
+from lapilli.extremes.cases import TRANSFERS, square
 
 
 def test_automatic_step_is_stable_and_steps_past_the_limit_are_refused() -> None:
@@ -23,7 +23,7 @@ def test_automatic_step_is_stable_and_steps_past_the_limit_are_refused() -> None
 def test_every_transfer_has_cases_and_only_moving_ones_swirl() -> None:
     cases = list(all_cases())
     assert len({(case.transfer, case.name) for case in cases}) == len(cases)
-    assert {case.transfer for case in cases} == {"kept", "flip", "pic", "tpic", "affine"}
+    assert {case.transfer for case in cases} == set(TRANSFERS)
     assert not any(case.transfer == "kept" and "swirl" in case.name for case in cases)
 
 

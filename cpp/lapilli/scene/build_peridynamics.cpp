@@ -1,0 +1,145 @@
+#include "lapilli/scene/build_peridynamics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "lapilli/peridynamics/build.hpp"
+#include "lapilli/scene/body_points.hpp"
+#include "lapilli/scene/place_errors.hpp"
+
+namespace lapilli {
+namespace {
+
+std::string wall_path(std::size_t index) { return message("peridynamics.walls.", index); }
+
+Lattice lattice_of(const Scene& scene, double spacing) {
+  Lattice lattice;
+  lattice.lower = place(scene.grid.lower);
+  lattice.cell = scene.grid.cell;
+  lattice.points_per_axis = static_cast<int>(std::lround(scene.grid.cell / spacing));
+  return lattice;
+}
+
+double spacing_of(const Scene& scene, const std::vector<FilledPoints>& filled) {
+  for (std::size_t k = 1; k < filled.size(); ++k) {
+    require_at(std::abs(filled[k].spacing / filled[0].spacing - 1.0) < 1e-6, scene,
+               message("bodies.", k), "has points ", filled[k].spacing,
+               " m apart, those of body 0 are ", filled[0].spacing,
+               " m apart; a peridynamic fluid has one spacing");
+  }
+  const double spacing = filled[0].spacing;
+  const double share = scene.grid.cell / spacing;
+  require_at(std::abs(share - std::round(share)) < 1e-6 * share, scene, "bodies.0", "has points ",
+             spacing, " m apart, which do not fit cells of ", scene.grid.cell, " m");
+  return spacing;
+}
+
+/// Signed distance from the union of the fluid bodies.
+FluidDistance region_of(const Scene& scene) {
+  std::vector<Shape> shapes;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const std::optional<Shape> shape = placed_shape(scene.bodies[k]);
+    require_at(shape.has_value(), scene, message("bodies.", k),
+               "needs a shape: walls are found by their distance from it");
+    shapes.push_back(*shape);
+  }
+  return [shapes](const Vec3& at) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Shape& shape : shapes) {
+      least = std::min(least, distance(shape, at));
+    }
+    return least;
+  };
+}
+
+double longest_horizon(const PeridynamicsSettings& settings, double spacing) {
+  return spacing * std::max(settings.heat ? settings.heat->horizon : 0.0,
+                            settings.flow ? settings.flow->horizon : 0.0);
+}
+
+Vec3 position_of(const FilledPoints& points, std::size_t row) {
+  Vec3 at = Vec3::Zero();
+  for (int axis = 0; axis < points.dimension; ++axis) {
+    at[axis] = points.position[row * static_cast<std::size_t>(points.dimension) +
+                               static_cast<std::size_t>(axis)];
+  }
+  return at;
+}
+
+Fluid fluid_of(const Scene& scene) {
+  Fluid fluid;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const Body& body = scene.bodies[k];
+    FluidBody start;
+    start.body = static_cast<int>(k);
+    start.temperature = body.temperature;
+    start.source = body.source;
+    start.velocity = body.velocity;
+    fluid.bodies.push_back(start);
+  }
+  // validate() has seen to it that all bodies have the same.
+  if (const auto* thermal = material_in<Thermal>(scene.bodies[0])) {
+    fluid.thermal = *thermal;
+  }
+  if (const auto* newtonian = material_in<Newtonian>(scene.bodies[0])) {
+    fluid.newtonian = *newtonian;
+  }
+  return fluid;
+}
+
+}  // namespace
+
+std::vector<FilledPoints> fill_walls(const Scene& scene, const std::vector<FilledPoints>& filled) {
+  std::vector<FilledPoints> walls;
+  if (!scene.peridynamics) {
+    return walls;
+  }
+  const double spacing = spacing_of(scene, filled);
+  const FluidDistance region = region_of(scene);
+  const double reach = longest_horizon(*scene.peridynamics, spacing);
+  std::set<std::array<long, 3>> taken;  // sites of the lattice
+  for (std::size_t k = 0; k < scene.peridynamics->walls.size(); ++k) {
+    at_place(scene, wall_path(k), [&] {
+      FillOptions options;
+      options.within = grid_bounds(scene);
+      const FilledPoints all = fill(scene.peridynamics->walls[k].shape, lattice_of(scene, spacing),
+                                    options, dimension_of(scene));
+      FilledPoints& kept = walls.emplace_back();
+      kept.dimension = all.dimension;
+      kept.spacing = all.spacing;
+      for (std::size_t row = 0; row < all.size(); ++row) {
+        const Vec3 at = position_of(all, row);
+        // Points sit in the middle of their boxes.
+        const Vec3 site = ((at - place(scene.grid.lower)) / spacing).array().floor();
+        if (region(at) <= reach &&
+            taken.insert({std::lround(site[0]), std::lround(site[1]), std::lround(site[2])})
+                .second) {
+          kept.position.insert(kept.position.end(), at.data(), at.data() + all.dimension);
+          kept.volume.push_back(all.volume[row]);
+        }
+      }
+      require(!kept.volume.empty(), "wall '", scene.peridynamics->walls[k].name,
+              "' has no point within the horizon of ", reach, " m of the fluid");
+    });
+  }
+  return walls;
+}
+
+std::vector<std::unique_ptr<Physics>> physics_of_peridynamics(
+    const Scene& scene, const std::vector<FilledPoints>& filled, Points& points) {
+  PeridynamicScene problem;
+  problem.spacing = spacing_of(scene, filled);
+  problem.region = region_of(scene);
+  problem.fluid = fluid_of(scene);
+  for (std::size_t k = 0; k < scene.peridynamics->walls.size(); ++k) {
+    problem.walls.push_back(
+        {scene.peridynamics->walls[k], static_cast<int>(scene.bodies.size() + k)});
+  }
+  problem.heat = scene.peridynamics->heat;
+  problem.flow = scene.peridynamics->flow;
+  return at_place(scene, "peridynamics", [&] { return build_peridynamics(points, problem); });
+}
+
+}  // namespace lapilli

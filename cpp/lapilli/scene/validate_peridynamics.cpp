@@ -1,0 +1,44 @@
+#include "lapilli/scene/validate_peridynamics.hpp"
+
+#include "lapilli/scene/place_errors.hpp"
+
+namespace lapilli {
+namespace {
+
+// One fluid: every body holds what the section needs, and the same.
+template <class Wanted>
+void check_material(const Scene& scene, const std::string& section) {
+  const Wanted* first = material_in<Wanted>(scene.bodies[0]);
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const Wanted* material = material_in<Wanted>(scene.bodies[k]);
+    const std::string path = message("bodies.", k, ".material");
+    require_at(material != nullptr, scene, path, "has no ", Wanted::kind, " material, which [",
+               section, "] needs");
+    require_at(*material == *first, scene, path,
+               "differs from that of body 0: a peridynamic scene has one fluid");
+  }
+}
+
+}  // namespace
+
+void validate_peridynamics(const Scene& scene) {
+  if (!scene.peridynamics) {
+    return;
+  }
+  require_at(!scene.heat, scene, "heat",
+             "is of the material point method; give [peridynamics.heat] instead");
+  require_at(!scene.quasi_static, scene, "quasi_static",
+             "is of the material point method, which shares no scene with [peridynamics]");
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    require_at(!scene.bodies[k].motion, scene, message("bodies.", k, ".motion"),
+               "has no meaning in [peridynamics]: a fluid moves by its flow");
+  }
+  if (scene.peridynamics->heat) {
+    check_material<Thermal>(scene, "peridynamics.heat");
+  }
+  if (scene.peridynamics->flow) {
+    check_material<Newtonian>(scene, "peridynamics.flow");
+  }
+}
+
+}  // namespace lapilli

@@ -1,0 +1,1 @@
+"""Yang, Zhao, Zhu & Feng: multi-horizon peridynamics of buoyant flow with heat."""

@@ -1,0 +1,170 @@
+"""Section 6.1.1: layers heated from below.
+
+The paper gives no height and properties with which no roll can form (Prandtl number 2.35e-4), so
+each case states its numbers. Its temperature differences of 9, 18 and 36 K are read as Rayleigh
+numbers 1500, 3000 and 6000 at Prandtl number 0.235 (its water with the true heat capacity): 9 K
+must lie below the onset near 2000, 18 K above it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from lapilli._core import Simulation
+from lapilli.references.cavity import Box, solve
+from lapilli.reproduce.case import Case, Row, example, quotient_within, within
+from lapilli.reproduce.pd.fluid_state import FluidState, carried_nusselt, fluid_state, sample
+from lapilli.reproduce.states import Array, changed
+
+NAME = "pd/benard"
+PRANDTL, WATER = 0.71, 0.235
+
+
+@dataclass(frozen=True, kw_only=True)
+class Layer:
+    """One layer: what it is, how it starts (rolls side by side) and what it becomes."""
+
+    rayleigh: float  # of the height
+    aspect: float  # width over height
+    prandtl: float = WATER
+    start: int = 1  # rolls of the first disturbance
+    end: float = 1.0  # l^2/alpha
+    rows: int = 25
+
+    @property
+    def title(self) -> str:
+        return f"Ra {self.rayleigh:g}, Pr {self.prandtl:g}, aspect {self.aspect:g}"
+
+
+STILL = Layer(rayleigh=1500, aspect=2, prandtl=PRANDTL, start=2, end=0.6)
+TWO_ROLLS = Layer(rayleigh=5000, aspect=2, prandtl=PRANDTL, start=2, end=0.6)
+# Figs. 12 to 15, by the letters of the paper.
+FIGURES = {
+    "Fig. 12 (a)": Layer(rayleigh=1500, aspect=2, start=2),
+    "Fig. 12 (b)": Layer(rayleigh=3000, aspect=2, start=2),
+    "Fig. 12 (c)": Layer(rayleigh=6000, aspect=2, start=3),
+    "Fig. 14 (a)": Layer(rayleigh=6000, aspect=1, start=1),
+    "Fig. 14 (c)": Layer(rayleigh=6000, aspect=3, start=3),
+    "Fig. 14 (d)": Layer(rayleigh=48000, aspect=0.5, start=1, rows=50, end=1.0),
+}
+ROLLS = {"Fig. 12 (b)": 2, "Fig. 12 (c)": 3, "Fig. 14 (a)": 1}
+
+
+@dataclass(frozen=True)
+class Grown:
+    """A layer after its time."""
+
+    nusselt: Array  # (looks,), of the volume over the last half
+    state: FluidState
+    rolls: int
+
+
+def simulation_of(layer: Layer) -> Simulation:
+    """The example as this layer, disturbed by some rolls in its temperature."""
+    width = layer.aspect
+    scene = changed(
+        example("pd/benard"),
+        f"grid.cell={1 / layer.rows!r}",
+        f"grid.upper=[{width + 0.2!r}, 1.2]",
+        f"bodies.0.shape.upper=[{width!r}, 1.0]",
+        f"bodies.0.material.1.viscosity={layer.prandtl!r}",
+        f"peridynamics.flow.gravity=[0.0, {-layer.rayleigh * layer.prandtl!r}]",
+        f"peridynamics.walls.0.shape.upper=[{width + 0.2!r}, 0.0]",
+        f"peridynamics.walls.1.shape.upper=[{width + 0.2!r}, 1.2]",
+        f"peridynamics.walls.3.shape.lower=[{width!r}, 0.0]",
+        f"peridynamics.walls.3.shape.upper=[{width + 0.2!r}, 1.0]",
+        f"time.end={layer.end!r}",
+    )
+
+    def disturbed(place: Array, _: Array, __: float) -> Array:
+        wave = np.cos(layer.start * np.pi * place[:, 0] / width) * np.sin(np.pi * place[:, 1])
+        field: Array = 1 - place[:, 1] - 0.05 * wave
+        return np.clip(field, 0, 1)
+
+    scene.bodies[0].temperature = disturbed
+    return Simulation(scene)
+
+
+@cache
+def grown(layer: Layer, looks: int = 20) -> Grown:
+    """Run a layer; look at it over the last half."""
+    simulation = simulation_of(layer)
+    numbers = []
+    for look in range(1, looks + 1):
+        simulation.run_until(layer.end * (0.5 + 0.5 * look / looks))
+        numbers.append(carried_nusselt(fluid_state(simulation), axis=1))
+    state = fluid_state(simulation)
+    return Grown(np.array(numbers), state, rolls_of(state, layer))
+
+
+def rolls_of(state: FluidState, layer: Layer) -> int:
+    """Rolls side by side: how often the vertical velocity changes sign along the middle."""
+    x = np.linspace(0.03, layer.aspect - 0.03, 120)
+    middle = np.column_stack([x, np.full_like(x, 0.5)])
+    up = sample(state.position, state.velocity[:, 1], middle, 3.0 / layer.rows)
+    strong = up[np.abs(up) > 0.05 * np.abs(up).max()]
+    return int(np.count_nonzero(np.diff(np.sign(strong))))
+
+
+def run(quick: bool) -> list[Row]:
+    """Below and above the onset; without `quick` also the layers of the paper's figures."""
+    rows = [still_row(), *two_roll_rows()]
+    return rows if quick else rows + [row for name in FIGURES for row in figure_rows(name)]
+
+
+def row(setting: str, quantity: str, reference: float | None, value: float, bar: str,
+        ok: bool) -> Row:  # fmt: skip
+    return Row(case=NAME, setting=setting, quantity=quantity, unit="", paper=None,
+               reference=reference, lapilli=value, bar=bar, ok=ok)  # fmt: skip
+
+
+def still_row() -> Row:
+    """Below the onset the disturbance dies."""
+    value = float(grown(STILL).nusselt[-1])
+    return row(STILL.title, "Nu of the volume", 1.0, value, "< 1.02", value < 1.02)
+
+
+def two_roll_rows() -> list[Row]:
+    """Two rolls, beside finite differences."""
+    layer, found = TWO_ROLLS, grown(TWO_ROLLS)
+    right = solve(Box(rayleigh=layer.rayleigh, prandtl=layer.prandtl, heated="bottom",
+                      aspect=layer.aspect, rolls=2), 40).nusselt()  # fmt: skip
+    last = float(found.nusselt[-5:].mean())
+    swing = float(np.ptp(found.nusselt[-5:]) / last)
+    return [
+        row(layer.title, "rolls", 2, found.rolls, "2", found.rolls == 2),
+        row(layer.title, "Nu of the volume", right, last, *quotient_within(last, right, 0.03)),
+        row(layer.title, "Nu of the volume", None, last, "1.85 to 2.0", 1.85 <= last <= 2.0),
+        row(layer.title, "its last change", None, swing, *within(swing, 0.01)),
+    ]
+
+
+def figure_rows(name: str) -> list[Row]:
+    """What became of one layer of the paper."""
+    layer, found = FIGURES[name], grown(FIGURES[name])
+    setting = f"{name}: {layer.title}"
+    rows = [
+        row(setting, "Nu of the volume", None, float(found.nusselt[-1]), "", True),
+        row(setting, "its change over the last half", None, float(np.ptp(found.nusselt)), "", True),
+    ]
+    if name in ROLLS:
+        rows.append(row(setting, "rolls", ROLLS[name], found.rolls, str(ROLLS[name]),
+                        found.rolls == ROLLS[name]))  # fmt: skip
+    else:
+        rows.append(row(setting, "rolls", None, found.rolls, "", True))
+    return rows
+
+
+def plot(folder: Path, quick: bool) -> list[Path]:
+    """Figs. 12 to 15: temperature and streamlines."""
+    from lapilli.reproduce.pd.figures import draw_layers
+
+    layers = {"two rolls": TWO_ROLLS} if quick else FIGURES
+    return [draw_layers(folder, layers)]
+
+
+CASE = Case(name=NAME, title="layers heated from below", run=run, plot=plot)

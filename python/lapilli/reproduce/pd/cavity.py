@@ -1,0 +1,204 @@
+"""Section 5.2: air between a hot and a cold wall, beside de Vahl Davis 1983."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from lapilli._core import Scene, Simulation
+from lapilli.references.cavity import DE_VAHL_DAVIS
+from lapilli.reproduce.case import Case, Row, example, quotient_within, within
+from lapilli.reproduce.pd.fluid_state import (
+    FluidState,
+    carried_nusselt,
+    fluid_state,
+    sample,
+    wall_flux,
+)
+from lapilli.reproduce.states import Array, changed
+
+NAME = "pd/cavity"
+PRANDTL = 0.71
+LOOKS = 8  # states averaged over the last fifth: points that pass a wall make its power flicker
+LINE = np.linspace(0.015, 0.985, 195)
+WALL = np.linspace(0.0, 1.0, 51)
+
+# de Vahl Davis 1983: Nusselt number of the volume, of the hot wall at its largest.
+LARGEST_LOCAL = {1e3: 1.505, 1e4: 3.528, 1e5: 7.717, 1e6: 17.925}
+FINE_NUSSELT = {1e6: 8.800}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plan:
+    """How one Rayleigh number is run and what it is held to (shares of the benchmark)."""
+
+    rows: int
+    end: float  # l^2/alpha
+    nusselt: float
+    horizontal: float
+    vertical: float
+    noise: float
+    density: float = 0.02
+    position: float = 0.015
+    local: float = 0.05
+
+
+PLANS = {
+    1e3: Plan(rows=80, end=0.3, nusselt=0.005, horizontal=0.015, vertical=0.03, noise=0.03),
+    1e4: Plan(rows=80, end=0.2, nusselt=0.01, horizontal=0.015, vertical=0.02, noise=0.03),
+    1e5: Plan(rows=80, end=0.15, nusselt=0.02, horizontal=0.03, vertical=0.03, noise=0.06),
+}
+# At half the points: the bars doubled, and the noise of a coarser mean.
+QUICK = Plan(rows=40, end=0.12, nusselt=0.02, horizontal=0.02, vertical=0.02, noise=0.06, local=0.1)
+FINEST = Plan(rows=160, end=0.08, nusselt=0.04, horizontal=1.0, vertical=1.0, noise=0.1)
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Means over the last fifth of a run."""
+
+    nusselt: float  # of the volume
+    hot: float  # of the walls, from the heat they gave
+    cold: float
+    local: Array  # (WALL,), on the hot wall
+    horizontal: Array  # (LINE,), u on the vertical mid-line
+    vertical: Array  # (LINE,), v on the horizontal mid-line
+    temperature: Array  # (LINE,), on the horizontal mid-line
+    diagnostics: dict[str, float]
+    state: FluidState
+
+
+def scene(rayleigh: float, rows: int, *settings: str) -> Scene:
+    """The example at this Rayleigh number with this many rows of points."""
+    gravity = f"peridynamics.flow.gravity=[0.0, {-rayleigh * PRANDTL!r}]"
+    return changed(example("pd/cavity"), f"grid.cell={1 / rows!r}", gravity, *settings)
+
+
+@cache
+def measured(rayleigh: float, rows: int, end: float, *settings: str) -> Measured:
+    """Run to `end` and average over the last fifth."""
+    simulation = Simulation(scene(rayleigh, rows, *settings))
+    begin = 0.8 * end
+    simulation.run_until(begin)
+    before = simulation.ledger()[0].entries
+    profiles, locals_, means = [], [], []
+    for look in range(1, LOOKS + 1):
+        simulation.run_until(begin + (end - begin) * look / LOOKS)
+        state = fluid_state(simulation)
+        profiles.append(mid_lines(state, 2.5 / rows))
+        locals_.append(wall_flux(state, np.column_stack([0 * WALL, WALL]), 1 / rows))
+        means.append(carried_nusselt(state, axis=0))
+    given = {
+        name: (heat - before[name]) / (end - begin)
+        for name, heat in simulation.ledger()[0].entries.items()
+    }
+    horizontal, vertical, temperature = np.mean(profiles, axis=0)
+    return Measured(
+        float(np.mean(means)), given["wall hot"], -given["wall cold"], np.mean(locals_, axis=0),
+        horizontal, vertical, temperature, simulation.diagnostics(), state,
+    )  # fmt: skip
+
+
+def mid_lines(state: FluidState, reach: float) -> tuple[Array, Array, Array]:
+    """u on the vertical, v and T on the horizontal mid-line."""
+    middle = np.full_like(LINE, 0.5)
+    up = sample(state.position, state.velocity, np.column_stack([middle, LINE]), reach)
+    both = np.column_stack([state.velocity, state.temperature])
+    across = sample(state.position, both, np.column_stack([LINE, middle]), reach)
+    return up[:, 0], across[:, 1], across[:, 2]
+
+
+def run(quick: bool) -> list[Row]:
+    """Rayleigh numbers 1e3, 1e4 and 1e5 with 80 x 80 points, 1e6 with 160 x 160; 1e4 with 40 x 40
+    if `quick`."""
+    if quick:
+        return rows_of(1e4, QUICK)
+    found = [row for rayleigh, plan in PLANS.items() for row in rows_of(rayleigh, plan)]
+    return [*found, *order_rows(), *finest_rows()]
+
+
+def rows_of(rayleigh: float, plan: Plan) -> list[Row]:
+    """All numbers of one Rayleigh number beside the benchmark."""
+    seen = measured(rayleigh, plan.rows, plan.end)
+    right = DE_VAHL_DAVIS[rayleigh]
+    numbers = seen.diagnostics
+
+    def row(quantity: str, value: float, reference: float | None, bar: tuple[str, bool]) -> Row:
+        setting = f"Ra {rayleigh:.0e}, {plan.rows} x {plan.rows} points"
+        return Row(case=NAME, setting=setting, quantity=quantity, unit="", paper=None,
+                   reference=reference, lapilli=value, bar=bar[0], ok=bar[1])  # fmt: skip
+
+    def near(quantity: str, value: float, reference: float, share: float) -> Row:
+        return row(quantity, value, reference, quotient_within(value, reference, share))
+
+    def place(quantity: str, value: float, reference: float) -> Row:
+        words, ok = within(value - reference, plan.position)
+        return row(quantity, value, reference, (f"off by {words}", ok))
+
+    wall = 0.5 * (seen.hot + seen.cold)
+    variation = max(-numbers["flow/least density variation"],
+                    numbers["flow/greatest density variation"])  # fmt: skip
+    spacing = numbers["flow/smallest spacing"]
+    return [
+        near("Nu of the volume", seen.nusselt, right.nusselt, plan.nusselt),
+        near("largest u", seen.horizontal.max(), right.horizontal_peak, plan.horizontal),
+        place("its y", LINE[seen.horizontal.argmax()], right.horizontal_peak_at),
+        near("largest v", seen.vertical.max(), right.vertical_peak, plan.vertical),
+        place("its x", LINE[seen.vertical.argmax()], right.vertical_peak_at),
+        near("Nu of the hot wall", seen.hot, seen.cold, 0.01),
+        near("Nu of the walls", wall, seen.nusselt, 0.02),
+        near("largest local Nu", seen.local.max(), LARGEST_LOCAL[rayleigh], plan.local),
+        row("velocity noise", numbers["flow/velocity noise"], None,
+            within(numbers["flow/velocity noise"], plan.noise)),
+        row("density variation", variation, None, within(variation, plan.density)),
+        row("smallest spacing", spacing, None, (">= 0.7", spacing >= 0.7)),
+    ]  # fmt: skip
+
+
+def six_errors(rayleigh: float, plan: Plan) -> float:
+    """Root mean square of the relative errors of Nu, u, v, the two places (of l) and the walls."""
+    seen, right = measured(rayleigh, plan.rows, plan.end), DE_VAHL_DAVIS[rayleigh]
+    errors = [
+        seen.nusselt / right.nusselt - 1,
+        seen.horizontal.max() / right.horizontal_peak - 1,
+        seen.vertical.max() / right.vertical_peak - 1,
+        LINE[seen.horizontal.argmax()] - right.horizontal_peak_at,
+        LINE[seen.vertical.argmax()] - right.vertical_peak_at,
+        0.5 * (seen.hot + seen.cold) / right.nusselt - 1,
+    ]
+    return float(np.sqrt(np.mean(np.square(errors))))
+
+
+def order_rows() -> list[Row]:
+    """What halving the spacing gains at Ra 1e4."""
+    fine = PLANS[1e4]
+    coarse = Plan(rows=40, end=fine.end, nusselt=1, horizontal=1, vertical=1, noise=1)
+    gain = six_errors(1e4, coarse) / six_errors(1e4, fine)
+    return [
+        Row(case=NAME, setting="Ra 1e+04, 40 x 40 to 80 x 80 points",
+            quantity="RMS of the six errors falls by", unit="", paper=None, reference=None,
+            lapilli=gain, bar=">= 1.5", ok=gain >= 1.5),
+    ]  # fmt: skip
+
+
+def finest_rows() -> list[Row]:
+    """Beyond the paper."""
+    seen = measured(1e6, FINEST.rows, FINEST.end)
+    words, ok = quotient_within(seen.nusselt, FINE_NUSSELT[1e6], FINEST.nusselt)
+    return [
+        Row(case=NAME, setting="Ra 1e+06, 160 x 160 points", quantity="Nu of the volume", unit="",
+            paper=None, reference=FINE_NUSSELT[1e6], lapilli=seen.nusselt, bar=words, ok=ok),
+    ]  # fmt: skip
+
+
+def plot(folder: Path, quick: bool) -> list[Path]:
+    """Figs. 7 to 10."""
+    from lapilli.reproduce.pd.figures import draw_cavity
+
+    return [draw_cavity(folder, {1e4: QUICK} if quick else PLANS)]
+
+
+CASE = Case(name=NAME, title="natural convection in a square cavity", run=run, plot=plot)
