@@ -6,7 +6,7 @@ import collections.abc
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'Flux', 'Grid', 'HalfSpace', 'Heat', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'Output', 'OutputError', 'Points', 'Polygon', 'Progress', 'QuasiStatic', 'Radiation', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'Time', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
+__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'FluidWall', 'Flux', 'Grid', 'HalfSpace', 'Heat', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'Newtonian', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'Points', 'Polygon', 'Progress', 'QuasiStatic', 'Radiation', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'Time', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -679,6 +679,66 @@ class Translated(Shape):
         """
     @shape.setter
     def shape(self, value: Shape) -> None:
+        ...
+class Newtonian:
+    """
+    A viscous fluid, slightly lighter or heavier with temperature.
+    
+    Parameters
+    ----------
+    density : float, kg/m^3, required
+        mass per volume at rest; above 0 (kg/m^3)
+    viscosity : float, Pa s, required
+        dynamic viscosity; at least 0 (Pa s)
+    expansion : float, 1/K, default 0.0
+        thermal expansion per volume
+    reference_temperature : float, K, default 0.0
+        at which the fluid has its density
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, density: float, viscosity: float, expansion: float = ..., reference_temperature: float = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def density(self) -> float:
+        """
+        mass per volume at rest, kg/m^3
+        """
+    @density.setter
+    def density(self, value: float) -> None:
+        ...
+    @property
+    def expansion(self) -> float:
+        """
+        thermal expansion per volume, 1/K
+        """
+    @expansion.setter
+    def expansion(self, value: float) -> None:
+        ...
+    @property
+    def reference_temperature(self) -> float:
+        """
+        at which the fluid has its density, K
+        """
+    @reference_temperature.setter
+    def reference_temperature(self, value: float) -> None:
+        ...
+    @property
+    def viscosity(self) -> float:
+        """
+        dynamic viscosity, Pa s
+        """
+    @viscosity.setter
+    def viscosity(self, value: float) -> None:
         ...
 class Thermal:
     """
@@ -1691,7 +1751,7 @@ class Body:
         direction that stays, in three dimensions
     translation : collections.abc.Sequence[float], m, default ()
         displacement after the turn
-    material : list[Thermal | Elastic], required
+    material : list[Thermal | Elastic | Newtonian], required
         what it is made of: one material, or one for each physics
     temperature : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, default 0.0
         temperature at the start
@@ -1707,7 +1767,7 @@ class Body:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., clip: bool = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Elastic], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
+    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., clip: bool = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Elastic | Newtonian], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -1732,12 +1792,12 @@ class Body:
     def jitter(self, value: float) -> None:
         ...
     @property
-    def material(self) -> list[Thermal | Elastic]:
+    def material(self) -> list[Thermal | Elastic | Newtonian]:
         """
         what it is made of: one material, or one for each physics
         """
     @material.setter
-    def material(self, value: list[Thermal | Elastic]) -> None:
+    def material(self, value: list[Thermal | Elastic | Newtonian]) -> None:
         ...
     @property
     def motion(self) -> Rotation | Translation | Swirl | None:
@@ -1858,6 +1918,446 @@ class Body:
         """
     @velocity.setter
     def velocity(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+class FluidWall:
+    """
+    A wall of a peridynamic fluid: its shape, and what it does to flow and heat.
+    
+    Parameters
+    ----------
+    shape : Shape, required
+        where the wall is, at least a horizon thick
+    name : str, default 'wall'
+        how output calls the wall
+    slip : typing.Literal['no-slip', 'free-slip'], default 'no-slip'
+        whether the fluid sticks to the wall
+    velocity : collections.abc.Sequence[float], m/s, default ()
+        velocity of the wall's surface
+    moves : bool, default False
+        whether the wall's points travel with that velocity
+    heat : typing.Literal['adiabatic', 'temperature', 'flux', 'convection'], default 'adiabatic'
+        thermal condition on the wall
+    temperature : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, default 0.0
+        of the surface, or of the surroundings (convection)
+    flux : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], W/m^2, default 0.0
+        heat flux into the fluid
+    coefficient : float, W/(m^2 K), default 0.0
+        of convection; at least 0 (W/(m^2 K))
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, shape: Shape, name: str = ..., slip: typing.Literal['no-slip', 'free-slip'] = ..., velocity: collections.abc.Sequence[float] = ..., moves: bool = ..., heat: typing.Literal['adiabatic', 'temperature', 'flux', 'convection'] = ..., temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., flux: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., coefficient: float = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def coefficient(self) -> float:
+        """
+        of convection, W/(m^2 K)
+        """
+    @coefficient.setter
+    def coefficient(self, value: float) -> None:
+        ...
+    @property
+    def flux(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        heat flux into the fluid, W/m^2
+        """
+    @flux.setter
+    def flux(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
+    def heat(self) -> typing.Literal['adiabatic', 'temperature', 'flux', 'convection']:
+        """
+        thermal condition on the wall
+        """
+    @heat.setter
+    def heat(self, value: typing.Literal['adiabatic', 'temperature', 'flux', 'convection']) -> None:
+        ...
+    @property
+    def moves(self) -> bool:
+        """
+        whether the wall's points travel with that velocity
+        """
+    @moves.setter
+    def moves(self, value: bool) -> None:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        how output calls the wall
+        """
+    @name.setter
+    def name(self, value: str) -> None:
+        ...
+    @property
+    def shape(self) -> Shape:
+        """
+        where the wall is, at least a horizon thick
+        """
+    @shape.setter
+    def shape(self, value: Shape) -> None:
+        ...
+    @property
+    def slip(self) -> typing.Literal['no-slip', 'free-slip']:
+        """
+        whether the fluid sticks to the wall
+        """
+    @slip.setter
+    def slip(self, value: typing.Literal['no-slip', 'free-slip']) -> None:
+        ...
+    @property
+    def temperature(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        of the surface, or of the surroundings (convection), K
+        """
+    @temperature.setter
+    def temperature(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
+    def velocity(self) -> collections.abc.Sequence[float]:
+        """
+        velocity of the wall's surface, m/s
+        """
+    @velocity.setter
+    def velocity(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+class PeridynamicHeat:
+    """
+    Heat conduction on the thermal horizon.
+    
+    Parameters
+    ----------
+    horizon : float, default 1.515
+        thermal horizon, in spacings; above 1 and at most 10
+    influence : typing.Literal['gaussian', 'unity', 'spline'], default 'gaussian'
+        weight of a bond by its length
+    laplacian : typing.Literal['literal', 'zero-energy', 'compact', 'corrected'], default 'corrected'
+        how conduction is formed from bonds
+    zero_energy : float, default 0.5
+        coefficient of the zero-energy term; at least 0
+    dissipation : bool, default False
+        whether viscous work becomes heat
+    skin : float, default 0.3
+        reach of the neighbour list beyond the horizon, in spacings; above 0 and at most 2
+    step_factor : float, default 0.25
+        of spacing^2 / (dimension diffusivity); above 0 and at most 1
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, horizon: float = ..., influence: typing.Literal['gaussian', 'unity', 'spline'] = ..., laplacian: typing.Literal['literal', 'zero-energy', 'compact', 'corrected'] = ..., zero_energy: float = ..., dissipation: bool = ..., skin: float = ..., step_factor: float = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def dissipation(self) -> bool:
+        """
+        whether viscous work becomes heat
+        """
+    @dissipation.setter
+    def dissipation(self, value: bool) -> None:
+        ...
+    @property
+    def horizon(self) -> float:
+        """
+        thermal horizon, in spacings
+        """
+    @horizon.setter
+    def horizon(self, value: float) -> None:
+        ...
+    @property
+    def influence(self) -> typing.Literal['gaussian', 'unity', 'spline']:
+        """
+        weight of a bond by its length
+        """
+    @influence.setter
+    def influence(self, value: typing.Literal['gaussian', 'unity', 'spline']) -> None:
+        ...
+    @property
+    def laplacian(self) -> typing.Literal['literal', 'zero-energy', 'compact', 'corrected']:
+        """
+        how conduction is formed from bonds
+        """
+    @laplacian.setter
+    def laplacian(self, value: typing.Literal['literal', 'zero-energy', 'compact', 'corrected']) -> None:
+        ...
+    @property
+    def skin(self) -> float:
+        """
+        reach of the neighbour list beyond the horizon, in spacings
+        """
+    @skin.setter
+    def skin(self, value: float) -> None:
+        ...
+    @property
+    def step_factor(self) -> float:
+        """
+        of spacing^2 / (dimension diffusivity)
+        """
+    @step_factor.setter
+    def step_factor(self, value: float) -> None:
+        ...
+    @property
+    def zero_energy(self) -> float:
+        """
+        coefficient of the zero-energy term
+        """
+    @zero_energy.setter
+    def zero_energy(self, value: float) -> None:
+        ...
+class PeridynamicFlow:
+    """
+    Weakly compressible viscous flow on the fluid horizon.
+    
+    Parameters
+    ----------
+    gravity : collections.abc.Sequence[float], m/s^2, default ()
+        empty: none
+    buoyancy : typing.Literal['reduced', 'full'], default 'reduced'
+        reduced: only what temperature changes; full: all of the weight
+    horizon : float, default 3.015
+        fluid horizon, in spacings; above 1 and at most 10
+    influence : typing.Literal['gaussian', 'unity', 'spline'], default 'gaussian'
+        weight of a bond by its length
+    laplacian : typing.Literal['literal', 'zero-energy', 'compact', 'corrected'], default 'corrected'
+        how the viscous force is formed from bonds
+    zero_energy : float, default 1.0
+        coefficient of the zero-energy term; at least 0
+    sound_speed : float, m/s, default 0.0
+        0: max(factor sqrt(g beta dT l), 10 wall speed, 10 nu / l); at least 0 (m/s)
+    sound_speed_factor : float, default 5.0
+        of sqrt(g beta dT l); above 0
+    length : float, m, default 0.0
+        l of the sound speed; 0: height of the fluid; at least 0 (m)
+    temperature_range : float, K, default 0.0
+        dT of the sound speed; 0: between the walls; at least 0 (K)
+    stiffness_exponent : float, default 7.0
+        of the equation of state; above 0
+    density_diffusion : float, default 0.1
+        smooths the pressure; at least 0
+    shifting : float, default 0.1
+        keeps points evenly spread; at least 0
+    courant : float, default 0.25
+        of spacing / sound speed; above 0 and at most 1
+    viscous_step : float, default 0.25
+        of spacing^2 / (dimension nu); above 0 and at most 1
+    skin : float, default 0.3
+        reach of the neighbour list beyond the horizon, in spacings; above 0 and at most 2
+    largest_density_variation : float, default 0.1
+        a run beyond it stops; above 0 and at most 1
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., buoyancy: typing.Literal['reduced', 'full'] = ..., horizon: float = ..., influence: typing.Literal['gaussian', 'unity', 'spline'] = ..., laplacian: typing.Literal['literal', 'zero-energy', 'compact', 'corrected'] = ..., zero_energy: float = ..., sound_speed: float = ..., sound_speed_factor: float = ..., length: float = ..., temperature_range: float = ..., stiffness_exponent: float = ..., density_diffusion: float = ..., shifting: float = ..., courant: float = ..., viscous_step: float = ..., skin: float = ..., largest_density_variation: float = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def buoyancy(self) -> typing.Literal['reduced', 'full']:
+        """
+        reduced: only what temperature changes; full: all of the weight
+        """
+    @buoyancy.setter
+    def buoyancy(self, value: typing.Literal['reduced', 'full']) -> None:
+        ...
+    @property
+    def courant(self) -> float:
+        """
+        of spacing / sound speed
+        """
+    @courant.setter
+    def courant(self, value: float) -> None:
+        ...
+    @property
+    def density_diffusion(self) -> float:
+        """
+        smooths the pressure
+        """
+    @density_diffusion.setter
+    def density_diffusion(self, value: float) -> None:
+        ...
+    @property
+    def gravity(self) -> collections.abc.Sequence[float]:
+        """
+        empty: none, m/s^2
+        """
+    @gravity.setter
+    def gravity(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def horizon(self) -> float:
+        """
+        fluid horizon, in spacings
+        """
+    @horizon.setter
+    def horizon(self, value: float) -> None:
+        ...
+    @property
+    def influence(self) -> typing.Literal['gaussian', 'unity', 'spline']:
+        """
+        weight of a bond by its length
+        """
+    @influence.setter
+    def influence(self, value: typing.Literal['gaussian', 'unity', 'spline']) -> None:
+        ...
+    @property
+    def laplacian(self) -> typing.Literal['literal', 'zero-energy', 'compact', 'corrected']:
+        """
+        how the viscous force is formed from bonds
+        """
+    @laplacian.setter
+    def laplacian(self, value: typing.Literal['literal', 'zero-energy', 'compact', 'corrected']) -> None:
+        ...
+    @property
+    def largest_density_variation(self) -> float:
+        """
+        a run beyond it stops
+        """
+    @largest_density_variation.setter
+    def largest_density_variation(self, value: float) -> None:
+        ...
+    @property
+    def length(self) -> float:
+        """
+        l of the sound speed; 0: height of the fluid, m
+        """
+    @length.setter
+    def length(self, value: float) -> None:
+        ...
+    @property
+    def shifting(self) -> float:
+        """
+        keeps points evenly spread
+        """
+    @shifting.setter
+    def shifting(self, value: float) -> None:
+        ...
+    @property
+    def skin(self) -> float:
+        """
+        reach of the neighbour list beyond the horizon, in spacings
+        """
+    @skin.setter
+    def skin(self, value: float) -> None:
+        ...
+    @property
+    def sound_speed(self) -> float:
+        """
+        0: max(factor sqrt(g beta dT l), 10 wall speed, 10 nu / l), m/s
+        """
+    @sound_speed.setter
+    def sound_speed(self, value: float) -> None:
+        ...
+    @property
+    def sound_speed_factor(self) -> float:
+        """
+        of sqrt(g beta dT l)
+        """
+    @sound_speed_factor.setter
+    def sound_speed_factor(self, value: float) -> None:
+        ...
+    @property
+    def stiffness_exponent(self) -> float:
+        """
+        of the equation of state
+        """
+    @stiffness_exponent.setter
+    def stiffness_exponent(self, value: float) -> None:
+        ...
+    @property
+    def temperature_range(self) -> float:
+        """
+        dT of the sound speed; 0: between the walls, K
+        """
+    @temperature_range.setter
+    def temperature_range(self, value: float) -> None:
+        ...
+    @property
+    def viscous_step(self) -> float:
+        """
+        of spacing^2 / (dimension nu)
+        """
+    @viscous_step.setter
+    def viscous_step(self, value: float) -> None:
+        ...
+    @property
+    def zero_energy(self) -> float:
+        """
+        coefficient of the zero-energy term
+        """
+    @zero_energy.setter
+    def zero_energy(self, value: float) -> None:
+        ...
+class Peridynamics:
+    """
+    Bodies as points that act on each other at a distance instead of through a grid.
+    
+    Parameters
+    ----------
+    heat : PeridynamicHeat | None, default None
+        heat on the thermal horizon; absent: not modelled
+    flow : PeridynamicFlow | None, default None
+        viscous flow on the fluid horizon; absent: nothing moves
+    walls : list[FluidWall], default []
+        walls
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, heat: PeridynamicHeat | None = ..., flow: PeridynamicFlow | None = ..., walls: list[FluidWall] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def flow(self) -> PeridynamicFlow | None:
+        """
+        viscous flow on the fluid horizon; absent: nothing moves
+        """
+    @flow.setter
+    def flow(self, value: PeridynamicFlow | None) -> None:
+        ...
+    @property
+    def heat(self) -> PeridynamicHeat | None:
+        """
+        heat on the thermal horizon; absent: not modelled
+        """
+    @heat.setter
+    def heat(self, value: PeridynamicHeat | None) -> None:
+        ...
+    @property
+    def walls(self) -> list[FluidWall]:
+        """
+        walls
+        """
+    @walls.setter
+    def walls(self, value: list[FluidWall]) -> None:
         ...
 class Grid:
     """
@@ -2055,6 +2555,8 @@ class Scene:
         heat conduction; absent: not modelled
     quasi_static : QuasiStatic | None, default None
         equilibrium under load steps; absent: not modelled
+    peridynamics : Peridynamics | None, default None
+        bodies as peridynamic points, with heat and flow; absent: none
     time : Time, required
         end and steps
     output : Output, default Output()
@@ -2075,7 +2577,7 @@ class Scene:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, title: str = ..., grid: Grid, bodies: list[Body], heat: Heat | None = ..., quasi_static: QuasiStatic | None = ..., time: Time, output: Output = ...) -> None:
+    def __init__(self, *, title: str = ..., grid: Grid, bodies: list[Body], heat: Heat | None = ..., quasi_static: QuasiStatic | None = ..., peridynamics: Peridynamics | None = ..., time: Time, output: Output = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -2130,6 +2632,14 @@ class Scene:
         """
     @output.setter
     def output(self, value: Output) -> None:
+        ...
+    @property
+    def peridynamics(self) -> Peridynamics | None:
+        """
+        bodies as peridynamic points, with heat and flow; absent: none
+        """
+    @peridynamics.setter
+    def peridynamics(self, value: Peridynamics | None) -> None:
         ...
     @property
     def quasi_static(self) -> QuasiStatic | None:
