@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "lapilli/core/archive.hpp"
@@ -23,15 +25,24 @@ class CellOrder {
   /// Throws RunError naming a point that left the grid or is not finite.
   void update(Points& points);
 
+  /// Sort in any case; every point must lie inside the grid.
+  void sort(Points& points);
+
   Index strip_count() const { return static_cast<Index>(begin_.size()) - 1; }
 
-  /// Call body(begin, end) for the rows of every strip: even strips in parallel, then odd ones.
+  /// Call body(begin, end), or body(begin, end, strip), for the rows of every strip: even strips in
+  /// parallel, then odd ones.
   template <class Body>
   void for_each_strip(const Body& body) const {
     for (Index parity = 0; parity < 2; ++parity) {
       parallel_tasks((strip_count() + 1 - parity) / 2, [&](Index task) {
         const Index strip = 2 * task + parity;
-        if (begin_[strip] < begin_[strip + 1]) {
+        if (begin_[strip] == begin_[strip + 1]) {
+          return;
+        }
+        if constexpr (std::is_invocable_v<const Body&, Index, Index, Index>) {
+          body(begin_[strip], begin_[strip + 1], strip);
+        } else {
           body(begin_[strip], begin_[strip + 1]);
         }
       });
@@ -48,7 +59,6 @@ class CellOrder {
   bool still_valid(const Points& points) const;
   /// How far, in cells, the lowest node of a point lies below its cell.
   double shift() const { return support_ == 3 ? 0.5 : 0.0; }
-  void sort(Points& points);
 
   Grid<Dim> grid_;
   int support_;

@@ -1,0 +1,239 @@
+#include "lapilli/mpm/momentum/momentum.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/momentum/point_kernel.hpp"
+#include "lapilli/mpm/momentum/project_to_grid.hpp"
+#include "lapilli/mpm/momentum/update_points.hpp"
+
+namespace lapilli {
+
+template <int Dim>
+Momentum<Dim>::Momentum(Points& points, const MomentumProblem<Dim>& problem)
+    : data_(points, problem) {
+  start_affine(problem);
+  data_.order.update(points);
+  ordering_ = points.ordering();
+  for (Index row = 0; row < points.size(); ++row) {
+    const StressMaterial& material = data_.materials[points.body()[row]];
+    const double stiffness = material.wave_modulus * points.volume()[row] / data_.mass[row];
+    wave_speed_ = std::max(wave_speed_, std::sqrt(stiffness));
+    speed_ = std::max(speed_, Eigen::Map<const Vec<Dim>>(data_.velocity.data() + row * Dim).norm());
+    total_mass_ += data_.mass[row];
+  }
+  kinetic_ = kinetic_energy();
+  initial_energy_ = kinetic_ + potential_energy() + elastic_energy_stored();
+  initial_momentum_ = linear_momentum();
+}
+
+template <int Dim>
+StepReport Momentum<Dim>::advance(const Step& step) {
+  keep_order(step.size);
+  project_to_grid(data_);
+  const NodeSums nodes = solve_nodes(data_, step.size);
+  PointSums velocities;
+  if (data_.settings.stress_update == StressUpdate::musl) {
+    velocities = update_velocities(data_, step.size);
+    solve_second_velocity(data_);
+  }
+  PointSums sums = update_points(data_, step.size);
+  sums.kinetic += velocities.kinetic;
+  sums.speed = std::max(sums.speed, velocities.speed);
+  stop_if_broken(sums);
+
+  flows_.plastic += sums.plastic;
+  flows_.friction -= nodes.friction;
+  flows_.impact -= nodes.impact;
+  flows_.transfer += (kinetic_ - nodes.kinetic_before) + (nodes.kinetic_after - sums.kinetic);
+  flows_.gravity += step.size * total_mass_ * data_.settings.gravity;
+  flows_.walls += nodes.wall_impulse;
+  kinetic_ = sums.kinetic;
+  speed_ = sums.speed;
+  wave_speed_ = sums.wave_speed;
+  drift_ += step.size * sums.speed;
+  data_.points.moved();
+  return {.accepted = step.size};
+}
+
+/// Sort when points may have drifted half a cell: strips stay apart, and cells stay runs of points.
+template <int Dim>
+void Momentum<Dim>::keep_order(double step) {
+  const bool far = drift_ + step * speed_ > 0.5 * data_.grid.cell_size();
+  if (far) {
+    data_.order.sort(data_.points);
+    drift_ = 0.0;
+  } else if (ordering_ != data_.points.ordering()) {
+    data_.order.update(data_.points);
+  }
+  ordering_ = data_.points.ordering();
+}
+
+template <int Dim>
+void Momentum<Dim>::stop_if_broken(const PointSums& sums) const {
+  if (sums.outside) {
+    require_inside(data_.grid, data_.points);
+  }
+  if (sums.least_volume > 0.0) {
+    return;
+  }
+  for (Index row = 0; row < data_.points.size(); ++row) {
+    if (!(data_.points.volume()[row] > 0.0)) {
+      throw RunError(message("point ", data_.points.id()[row], " of body ",
+                             data_.points.body()[row], ": its volume became ",
+                             data_.points.volume()[row],
+                             " in one step; the step is too large for this deformation"));
+    }
+  }
+}
+
+template <int Dim>
+StepLimit Momentum<Dim>::step_limit() const {
+  const double crossing = data_.grid.cell_size() / (wave_speed_ + speed_);
+  return {.hard = crossing,
+          .automatic = data_.settings.step_safety * crossing,
+          .reason = message("a wave of ", wave_speed_, " m/s on points of ", speed_,
+                            " m/s may cross one cell of ", data_.grid.cell_size(), " m; safety ",
+                            data_.settings.step_safety)};
+}
+
+template <int Dim>
+void Momentum<Dim>::start_affine(const MomentumProblem<Dim>& problem) {
+  if (!data_.affine) {
+    return;
+  }
+  const Grid<Dim>& grid = data_.grid;
+  const double reach = 0.25 * grid.cell_size();
+  with_transfer(data_.shape, data_.settings.transfer,
+                [&]<class Shape, VelocityTransfer transfer>() {
+                  const ShapeOfBody<Shape> shape_of(data_.half_widths);
+                  for (Index row = 0; row < data_.points.size(); ++row) {
+                    const Index body = data_.points.body()[row];
+                    const auto& velocity = problem.bodies[body].velocity;
+                    if (!velocity) {
+                      continue;
+                    }
+                    const AxisWeights<Dim, Shape> axes(grid, shape_of(body),
+                                                       data_.points.position().data() + row * Dim);
+                    Vec3 place = Vec3::Zero();
+                    place.head<Dim>() = data_.points.template position<Dim>(row);
+                    for (int along = 0; along < Dim; ++along) {
+                      const Vec3 to_side = reach * Vec3::Unit(along);
+                      const Vec3 slope =
+                          (velocity(place + to_side) - velocity(place - to_side)) / (2.0 * reach);
+                      const double scale = transfer == VelocityTransfer::apic
+                                               ? second_moment(axes, grid.cell_size(), along)
+                                               : 1.0;
+                      for (int axis = 0; axis < Dim; ++axis) {
+                        (*data_.affine)[row * Dim * Dim + axis * Dim + along] = scale * slope[axis];
+                      }
+                    }
+                  }
+                });
+}
+
+template <int Dim>
+const PointArray& Momentum<Dim>::incremental_deformation() {
+  if (!data_.deformation) {
+    data_.deformation = std::make_unique<PointArray>(data_.points, Dim * Dim);
+  }
+  return *data_.deformation;
+}
+
+template <int Dim>
+PointArray& Momentum<Dim>::plastic_work() {
+  if (!data_.plastic) {
+    data_.plastic = std::make_unique<PointArray>(data_.points, 1);
+  }
+  return *data_.plastic;
+}
+
+template <int Dim>
+PointArray& Momentum<Dim>::free_strain() {
+  if (!data_.free_strain) {
+    data_.free_strain = std::make_unique<PointArray>(data_.points, 1);
+  }
+  return *data_.free_strain;
+}
+
+template <int Dim>
+void Momentum<Dim>::save(Archive& archive) const {
+  const auto keep = [&](const char* name, const PointArray& array) {
+    archive.write(message("momentum/", name), array.values());
+  };
+  keep("mass", data_.mass);
+  keep("velocity", data_.velocity);
+  keep("stress", data_.stress);
+  if (data_.affine) {
+    keep("affine", *data_.affine);
+  }
+  if (data_.deformation) {
+    keep("deformation", *data_.deformation);
+  }
+  if (data_.plastic) {
+    keep("plastic", *data_.plastic);
+  }
+  if (data_.free_strain) {
+    keep("free_strain", *data_.free_strain);
+  }
+  data_.order.save(archive, "momentum/strips");
+  const double numbers[] = {flows_.plastic,  flows_.friction, flows_.impact, flows_.transfer,
+                            initial_energy_, kinetic_,        speed_,        wave_speed_,
+                            drift_,          total_mass_};
+  archive.write("momentum/account", std::span<const double>(numbers));
+  archive.write("momentum/impulse/gravity", std::span<const double>(flows_.gravity.data(), 3));
+  archive.write("momentum/impulse/walls", std::span<const double>(flows_.walls.data(), 3));
+  archive.write("momentum/impulse/initial", std::span<const double>(initial_momentum_.data(), 3));
+}
+
+template <int Dim>
+void Momentum<Dim>::load(const Archive& archive) {
+  const auto fetch = [&](const char* name, PointArray& array) {
+    archive.read(message("momentum/", name), array.values());
+  };
+  fetch("mass", data_.mass);
+  fetch("velocity", data_.velocity);
+  fetch("stress", data_.stress);
+  if (data_.affine) {
+    fetch("affine", *data_.affine);
+  }
+  if (data_.deformation) {
+    fetch("deformation", *data_.deformation);
+  }
+  if (data_.plastic) {
+    fetch("plastic", *data_.plastic);
+  }
+  if (data_.free_strain) {
+    fetch("free_strain", *data_.free_strain);
+  }
+  data_.order.load(archive, "momentum/strips");
+  double numbers[10];
+  archive.read("momentum/account", std::span<double>(numbers));
+  flows_.plastic = numbers[0];
+  flows_.friction = numbers[1];
+  flows_.impact = numbers[2];
+  flows_.transfer = numbers[3];
+  initial_energy_ = numbers[4];
+  kinetic_ = numbers[5];
+  speed_ = numbers[6];
+  wave_speed_ = numbers[7];
+  drift_ = numbers[8];
+  total_mass_ = numbers[9];
+  archive.read("momentum/impulse/gravity", std::span<double>(flows_.gravity.data(), 3));
+  archive.read("momentum/impulse/walls", std::span<double>(flows_.walls.data(), 3));
+  archive.read("momentum/impulse/initial", std::span<double>(initial_momentum_.data(), 3));
+  ordering_ = data_.points.ordering();
+}
+
+template <int Dim>
+std::unique_ptr<Momentum<Dim>> make_momentum(Points& points, const MomentumProblem<Dim>& problem) {
+  return std::make_unique<Momentum<Dim>>(points, problem);
+}
+
+template class Momentum<2>;
+template class Momentum<3>;
+template std::unique_ptr<Momentum<2>> make_momentum(Points&, const MomentumProblem<2>&);
+template std::unique_ptr<Momentum<3>> make_momentum(Points&, const MomentumProblem<3>&);
+
+}  // namespace lapilli

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lapilli/mpm/momentum/momentum_data.hpp"
+#include "lapilli/mpm/momentum/solve_nodes.hpp"
+
+namespace lapilli {
+
+/// Explicit momentum balance of material points in plane strain (Dim = 2, per metre of depth) or
+/// space. Owns velocity and stress, and moves the points.
+template <int Dim>
+class Momentum : public Physics {
+ public:
+  /// Throws std::invalid_argument for settings, materials or points out of range.
+  Momentum(Points& points, const MomentumProblem<Dim>& problem);
+
+  std::string name() const override { return "momentum"; }
+  StepLimit step_limit() const override;
+  StepReport advance(const Step& step) override;
+  void refresh_output() override;
+  std::vector<Field> fields() override;
+  std::vector<Ledger> ledgers() const override;
+  void save(Archive& archive) const override;
+  void load(const Archive& archive) override;
+  std::vector<std::pair<std::string, double>> diagnostics() const override;
+
+  // Handles for other physics. Asking for one allocates it; call before the first step.
+
+  /// Incremental deformation gradient of the last step minus one, Dim x Dim a row.
+  const PointArray& incremental_deformation();
+  /// Heat that plastic work left in each point since its owner last set it to zero, J.
+  PointArray& plastic_work();
+  /// Isotropic free strain (of heat, of moisture) that the next step shall contain; taken as it is
+  /// and left for its owner to set again.
+  PointArray& free_strain();
+
+  const PointArray& velocity() const { return data_.velocity; }  // m/s
+  const PointArray& stress() const { return data_.stress; }      // Pa; xx yy zz xy (yz xz)
+  const PointArray& mass() const { return data_.mass; }          // kg
+
+  /// Angular momentum about the origin, affine part included, kg m2/s.
+  Vec3 angular_momentum() const;
+
+ private:
+  /// Everything that has passed through an account since the start.
+  struct Flows {
+    double plastic = 0.0, friction = 0.0, impact = 0.0, transfer = 0.0;  // J, taken out
+    Vec3 gravity = Vec3::Zero(), walls = Vec3::Zero();                   // N s, given
+  };
+
+  void start_affine(const MomentumProblem<Dim>& problem);
+  void keep_order(double step);
+  void stop_if_broken(const PointSums& sums) const;
+  double kinetic_energy() const;
+  double potential_energy() const;
+  double elastic_energy_stored() const;
+  Vec3 linear_momentum() const;
+
+  MomentumData<Dim> data_;
+  Flows flows_;
+  double total_mass_ = 0.0;
+  double initial_energy_ = 0.0, kinetic_ = 0.0;  // J
+  Vec3 initial_momentum_ = Vec3::Zero();
+  double speed_ = 0.0, wave_speed_ = 0.0;  // m/s, largest
+  double drift_ = 0.0;                     // m, since the points were sorted
+  Index ordering_ = -1;
+  std::vector<double> output_stress_, output_density_;
+};
+
+/// The momentum solver of a problem.
+template <int Dim>
+std::unique_ptr<Momentum<Dim>> make_momentum(Points& points, const MomentumProblem<Dim>& problem);
+
+}  // namespace lapilli

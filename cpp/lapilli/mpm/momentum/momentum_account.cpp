@@ -1,0 +1,187 @@
+// What momentum stores and shows: energies, momenta, ledgers and fields.
+#include <Eigen/Geometry>
+
+#include "lapilli/core/parallel.hpp"
+#include "lapilli/mpm/momentum/momentum.hpp"
+#include "lapilli/mpm/momentum/point_kernel.hpp"
+
+namespace lapilli {
+namespace {
+
+constexpr const char* momentum_names[] = {"momentum x", "momentum y", "momentum z"};
+
+template <int Dim>
+SymmetricTensor stress_of(const MomentumData<Dim>& data, Index row) {
+  constexpr int components = MomentumData<Dim>::stress_components;
+  SymmetricTensor stress;
+  for (int c = 0; c < components; ++c) {
+    stress[c] = data.stress[row * components + c];
+  }
+  return stress;
+}
+
+/// Second moments of the shape function of a point along every axis, m2.
+template <int Dim>
+Vec<Dim> second_moments(const MomentumData<Dim>& data, Index row) {
+  Vec<Dim> moments;
+  with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer>() {
+    const ShapeOfBody<Shape> shape_of(data.half_widths);
+    const AxisWeights<Dim, Shape> axes(data.grid, shape_of(data.points.body()[row]),
+                                       data.points.position().data() + row * Dim);
+    for (int axis = 0; axis < Dim; ++axis) {
+      moments[axis] = second_moment(axes, data.grid.cell_size(), axis);
+    }
+  });
+  return moments;
+}
+
+}  // namespace
+
+/// At the start: the affine matrix belongs to the present places of the points.
+template <int Dim>
+double Momentum<Dim>::kinetic_energy() const {
+  return parallel_sum(data_.points.size(), 0.0, [&](Index row) {
+    double square = Eigen::Map<const Vec<Dim>>(data_.velocity.data() + row * Dim).squaredNorm();
+    if (data_.affine) {
+      const Vec<Dim> moments = second_moments(data_, row);
+      const double* matrix = data_.affine->data() + row * Dim * Dim;
+      for (int k = 0; k < Dim * Dim; ++k) {
+        const double moment = moments[k % Dim];
+        if (moment > 0.0) {
+          square += matrix[k] * matrix[k] *
+                    (data_.settings.transfer == VelocityTransfer::apic ? 1.0 / moment : moment);
+        }
+      }
+    }
+    return 0.5 * data_.mass[row] * square;
+  });
+}
+
+template <int Dim>
+double Momentum<Dim>::potential_energy() const {
+  const Vec<Dim> gravity = data_.settings.gravity.template head<Dim>();
+  return parallel_sum(data_.points.size(), 0.0, [&](Index row) {
+    return -data_.mass[row] * gravity.dot(data_.points.template position<Dim>(row));
+  });
+}
+
+template <int Dim>
+double Momentum<Dim>::elastic_energy_stored() const {
+  return parallel_sum(data_.points.size(), 0.0, [&](Index row) {
+    return data_.points.volume()[row] *
+           elastic_energy(data_.materials[data_.points.body()[row]], stress_of(data_, row));
+  });
+}
+
+template <int Dim>
+Vec3 Momentum<Dim>::linear_momentum() const {
+  return parallel_sum(data_.points.size(), Vec3(Vec3::Zero()), [&](Index row) {
+    Vec3 momentum = Vec3::Zero();
+    momentum.head<Dim>() =
+        data_.mass[row] * Eigen::Map<const Vec<Dim>>(data_.velocity.data() + row * Dim);
+    return momentum;
+  });
+}
+
+template <int Dim>
+Vec3 Momentum<Dim>::angular_momentum() const {
+  return parallel_sum(data_.points.size(), Vec3(Vec3::Zero()), [&](Index row) {
+    Vec3 place = Vec3::Zero(), velocity = Vec3::Zero();
+    place.head<Dim>() = data_.points.template position<Dim>(row);
+    velocity.head<Dim>() = Eigen::Map<const Vec<Dim>>(data_.velocity.data() + row * Dim);
+    Vec3 moment = place.cross(velocity);
+    if (data_.affine) {
+      // sum S (x_I - x) x v_I: the antisymmetric part of sum v_I (x_I - x) S.
+      const Vec<Dim> moments = data_.settings.transfer == VelocityTransfer::tpic
+                                   ? second_moments(data_, row)
+                                   : Vec<Dim>(Vec<Dim>::Ones());
+      Mat3 b = Mat3::Zero();
+      for (int axis = 0; axis < Dim; ++axis) {
+        for (int along = 0; along < Dim; ++along) {
+          b(axis, along) = (*data_.affine)[(row * Dim + axis) * Dim + along] * moments[along];
+        }
+      }
+      moment += Vec3(b(2, 1) - b(1, 2), b(0, 2) - b(2, 0), b(1, 0) - b(0, 1));
+    }
+    return Vec3(data_.mass[row] * moment);
+  });
+}
+
+template <int Dim>
+std::vector<Ledger> Momentum<Dim>::ledgers() const {
+  const double stored = kinetic_ + potential_energy() + elastic_energy_stored();
+  std::vector<Ledger> all;
+  all.push_back({"energy",
+                 "J",
+                 initial_energy_,
+                 stored,
+                 {{"plastic", -flows_.plastic},
+                  {"wall friction", -flows_.friction},
+                  {"wall impact", -flows_.impact},
+                  {"transfer", -flows_.transfer}},
+                 kinetic_});
+  const Vec3 now = linear_momentum();
+  for (int axis = 0; axis < Dim; ++axis) {
+    all.push_back({momentum_names[axis],
+                   "kg m/s",
+                   initial_momentum_[axis],
+                   now[axis],
+                   {{"gravity", flows_.gravity[axis]}, {"walls", flows_.walls[axis]}},
+                   total_mass_ * speed_});
+  }
+  return all;
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, double>> Momentum<Dim>::diagnostics() const {
+  return {{"kinetic energy", kinetic_},
+          {"elastic energy", elastic_energy_stored()},
+          {"potential energy", potential_energy()},
+          {"plastic dissipation", flows_.plastic},
+          {"wall friction", flows_.friction},
+          {"wall impact", flows_.impact},
+          {"transfer loss", flows_.transfer}};
+}
+
+template <int Dim>
+void Momentum<Dim>::refresh_output() {
+  const Index count = data_.points.size();
+  output_stress_.resize(static_cast<std::size_t>(6 * count));
+  output_density_.resize(static_cast<std::size_t>(count));
+  parallel_for(count, [&](Index row) {
+    const SymmetricTensor stress = stress_of(data_, row);
+    std::copy(stress.components.begin(), stress.components.end(), output_stress_.data() + 6 * row);
+    output_density_[row] = data_.mass[row] / data_.points.volume()[row];
+  });
+}
+
+template <int Dim>
+std::vector<Field> Momentum<Dim>::fields() {
+  if (output_density_.empty()) {
+    refresh_output();
+  }
+  return {{"velocity", "m/s", Dim, data_.velocity.values()},
+          {"stress", "Pa", 6, output_stress_},
+          {"density", "kg/m3", 1, output_density_}};
+}
+
+template double Momentum<2>::kinetic_energy() const;
+template double Momentum<3>::kinetic_energy() const;
+template double Momentum<2>::potential_energy() const;
+template double Momentum<3>::potential_energy() const;
+template double Momentum<2>::elastic_energy_stored() const;
+template double Momentum<3>::elastic_energy_stored() const;
+template Vec3 Momentum<2>::linear_momentum() const;
+template Vec3 Momentum<3>::linear_momentum() const;
+template Vec3 Momentum<2>::angular_momentum() const;
+template Vec3 Momentum<3>::angular_momentum() const;
+template std::vector<Ledger> Momentum<2>::ledgers() const;
+template std::vector<Ledger> Momentum<3>::ledgers() const;
+template std::vector<std::pair<std::string, double>> Momentum<2>::diagnostics() const;
+template std::vector<std::pair<std::string, double>> Momentum<3>::diagnostics() const;
+template void Momentum<2>::refresh_output();
+template void Momentum<3>::refresh_output();
+template std::vector<Field> Momentum<2>::fields();
+template std::vector<Field> Momentum<3>::fields();
+
+}  // namespace lapilli

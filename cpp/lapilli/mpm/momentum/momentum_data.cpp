@@ -1,0 +1,104 @@
+#include "lapilli/mpm/momentum/momentum_data.hpp"
+
+#include <algorithm>
+
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+
+template <int Dim>
+MomentumNodes<Dim>::MomentumNodes(const Grid<Dim>& grid, StressUpdate update)
+    : size_(grid.node_count() + 4), layer_(grid.node_stride(Dim - 1)) {
+  const int arrays = 1 + (update == StressUpdate::musl ? 4 : 3) * Dim;
+  values_.assign(static_cast<std::size_t>(size_ * arrays), 0.0);
+}
+
+template <int Dim>
+void MomentumNodes<Dim>::clear(std::pair<int, int> layers) {
+  const Index first = layers.first * layer_, last = layers.second * layer_;
+  const Index from = first_ < last_ ? std::min(first_, first) : first, to = std::max(last_, last);
+  parallel_ranges(to - from, [&](Index begin, Index end) {
+    for (int which = 0; which < 1 + 3 * Dim; ++which) {
+      std::fill(array(which) + from + begin, array(which) + from + end, 0.0);
+    }
+  });
+  first_ = first;
+  last_ = last;
+}
+
+template <int Dim>
+void MomentumNodes<Dim>::clear_second_velocity() {
+  parallel_ranges(last_ - first_, [&](Index begin, Index end) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      std::fill(second_velocity(axis) + first_ + begin, second_velocity(axis) + first_ + end, 0.0);
+    }
+  });
+}
+
+template <int Dim>
+MomentumData<Dim>::MomentumData(Points& of_points, const MomentumProblem<Dim>& problem)
+    : grid(problem.grid),
+      shape(problem.shape),
+      settings(problem.settings),
+      points(of_points),
+      mass(of_points, 1),
+      velocity(of_points, Dim),
+      stress(of_points, stress_components),
+      order(problem.grid, problem.shape == ShapeFunction::linear ? 2 : 3),
+      nodes(problem.grid, problem.settings.stress_update) {
+  check(settings);
+  require(
+      settings.transfer != VelocityTransfer::apic || shape != ShapeFunction::linear,
+      "momentum.transfer apic needs the shape function gimp or bspline: the moment it divides by "
+      "vanishes where a linear one meets a node; tpic, flip or gimp would do");
+  require(points.dimension() == Dim, "momentum of dimension ", Dim, " got points of dimension ",
+          points.dimension());
+  for (const MomentumBody& body : problem.bodies) {
+    require(body.half_width > 0.0 && body.half_width <= 0.5,
+            "half width of a point must lie in (0, 0.5] cells, got ", body.half_width);
+    half_widths.push_back(shape == ShapeFunction::bspline ? 0.5 : body.half_width);
+    materials.emplace_back(body.material);
+  }
+  if (settings.transfer != VelocityTransfer::flip) {
+    affine = std::make_unique<PointArray>(points, Dim * Dim);
+  }
+  for (Index row = 0; row < points.size(); ++row) {
+    const Index number = points.body()[row];
+    require(number < static_cast<Index>(problem.bodies.size()), "point ", points.id()[row],
+            " belongs to body ", number, ", momentum knows ", problem.bodies.size(), " bodies");
+    const MomentumBody& body = problem.bodies[number];
+    require(points.volume()[row] > 0.0, "point ", points.id()[row],
+            " needs a positive volume, has ", points.volume()[row]);
+    mass[row] = materials[number].density * points.volume()[row];
+    Vec3 place = Vec3::Zero();
+    for (int axis = 0; axis < Dim; ++axis) {
+      place[axis] = points.position()[row * Dim + axis];
+    }
+    if (body.velocity) {
+      const Vec3 start = body.velocity(place);
+      std::copy(start.data(), start.data() + Dim, velocity.data() + row * Dim);
+    }
+    if (body.stress) {
+      const SymmetricTensor start = body.stress(place);
+      std::copy(start.components.begin(), start.components.begin() + stress_components,
+                stress.data() + row * stress_components);
+    }
+  }
+}
+
+PointSums& PointSums::operator+=(const PointSums& other) {
+  kinetic += other.kinetic;
+  plastic += other.plastic;
+  speed = std::max(speed, other.speed);
+  wave_speed = std::max(wave_speed, other.wave_speed);
+  least_volume = std::min(least_volume, other.least_volume);
+  outside = outside || other.outside;
+  return *this;
+}
+
+template class MomentumNodes<2>;
+template class MomentumNodes<3>;
+template struct MomentumData<2>;
+template struct MomentumData<3>;
+
+}  // namespace lapilli

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lapilli/core/points.hpp"
+#include "lapilli/mpm/cell_order.hpp"
+#include "lapilli/mpm/momentum/momentum_problem.hpp"
+#include "lapilli/mpm/momentum/stress_update.hpp"
+
+namespace lapilli {
+
+/// Nodal quantities, each an array over the nodes of the grid. `velocity` holds momentum until the
+/// nodes are solved, `increment` the force; `strain_velocity` is the one that strains the points
+/// (and gives TPIC its gradient), `second_velocity` what MUSL projects again and strains with
+/// instead.
+template <int Dim>
+class MomentumNodes {
+ public:
+  MomentumNodes(const Grid<Dim>& grid, StressUpdate update);
+
+  double* mass() { return array(0); }
+  double* velocity(int axis) { return array(1 + axis); }
+  double* increment(int axis) { return array(1 + Dim + axis); }
+  double* strain_velocity(int axis) { return array(1 + 2 * Dim + axis); }
+  double* second_velocity(int axis) { return array(1 + 3 * Dim + axis); }  // MUSL only
+  const double* mass() const { return array(0); }
+  const double* velocity(int axis) const { return array(1 + axis); }
+  const double* increment(int axis) const { return array(1 + Dim + axis); }
+  const double* strain_velocity(int axis) const { return array(1 + 2 * Dim + axis); }
+  const double* second_velocity(int axis) const { return array(1 + 3 * Dim + axis); }
+
+  /// First and one-past-last node that points may touch, and zero what was projected there before.
+  void clear(std::pair<int, int> layers);
+  /// Zero the second velocity alone.
+  void clear_second_velocity();
+  Index first() const { return first_; }
+  Index last() const { return last_; }
+
+ private:
+  double* array(int which) { return values_.data() + which * size_; }
+  const double* array(int which) const { return values_.data() + which * size_; }
+
+  Index size_;   // of one array, with room for a quad past the last node
+  Index layer_;  // nodes in one layer across the slowest axis
+  Index first_ = 0, last_ = 0;
+  std::vector<double> values_;
+};
+
+/// Everything the phases of a momentum step work on.
+template <int Dim>
+struct MomentumData {
+  static constexpr int stress_components = Dim == 2 ? 4 : 6;
+
+  MomentumData(Points& of_points, const MomentumProblem<Dim>& problem);
+
+  Grid<Dim> grid;
+  ShapeFunction shape;
+  MomentumSettings settings;
+  std::vector<double> half_widths;        // by body, cells
+  std::vector<StressMaterial> materials;  // by body
+  Points& points;
+  PointArray mass;                          // kg (per metre of depth in 2D)
+  PointArray velocity;                      // m/s
+  PointArray stress;                        // Pa; xx yy zz xy, and yz xz in 3D
+  std::unique_ptr<PointArray> affine;       // APIC: sum v (x_I - x) S, m2/s; TPIC: gradient, 1/s
+  std::unique_ptr<PointArray> deformation;  // incremental deformation gradient minus one, on demand
+  std::unique_ptr<PointArray> plastic;      // J dissipated since last taken, on demand
+  std::unique_ptr<PointArray> free_strain;  // isotropic strain of the next step, on demand
+  CellOrder<Dim> order;
+  MomentumNodes<Dim> nodes;
+};
+
+/// What one sweep over the points found.
+struct PointSums {
+  double kinetic = 0.0;       // J, affine part included
+  double plastic = 0.0;       // J dissipated in this step
+  double speed = 0.0;         // m/s, largest of point and of its place
+  double wave_speed = 0.0;    // m/s, largest
+  double least_volume = 1.0;  // least determinant of the incremental deformation
+  bool outside = false;       // a point left the grid, or is not finite
+
+  PointSums& operator+=(const PointSums& other);
+};
+
+}  // namespace lapilli

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "lapilli/core/physics.hpp"
+#include "lapilli/core/points.hpp"
+#include "lapilli/materials/solid.hpp"
+#include "lapilli/mpm/grid.hpp"
+#include "lapilli/mpm/momentum/momentum_settings.hpp"
+#include "lapilli/mpm/shape_function.hpp"
+
+namespace lapilli {
+
+/// What momentum needs to know of one body.
+struct MomentumBody {
+  Solid material;
+  double half_width = 0.25;  // of the GIMP box in cells: half the fill spacing over the cell size
+  std::function<Vec3(const Vec3&)> velocity;           // m/s at the start; empty: at rest
+  std::function<SymmetricTensor(const Vec3&)> stress;  // Pa at the start; empty: none
+};
+
+/// Everything a momentum solver is made from.
+template <int Dim>
+struct MomentumProblem {
+  Grid<Dim> grid;
+  ShapeFunction shape = ShapeFunction::gimp;
+  std::vector<MomentumBody> bodies;  // by body number of the points
+  MomentumSettings settings;
+};
+
+}  // namespace lapilli

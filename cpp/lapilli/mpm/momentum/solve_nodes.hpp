@@ -1,0 +1,28 @@
+#pragma once
+
+#include "lapilli/mpm/momentum/momentum_data.hpp"
+
+namespace lapilli {
+
+/// What the solution of the nodes did to the account of a step.
+struct NodeSums {
+  double kinetic_before = 0.0;       // J, of the projected momentum
+  double kinetic_after = 0.0;        // J
+  double friction = 0.0;             // J done by walls along themselves (negative)
+  double impact = 0.0;               // J done by walls across themselves
+  Vec3 wall_impulse = Vec3::Zero();  // N s given by walls
+
+  NodeSums& operator+=(const NodeSums& other);
+};
+
+/// Velocity of every node that carries mass after `step`, v + dt (f / m + g), held by the walls;
+/// its change goes to `increment`, and to nodes without mass goes zero.
+template <int Dim>
+NodeSums solve_nodes(MomentumData<Dim>& data, double step);
+
+/// Divide the momentum projected again by the mass and hold it by the walls (MUSL). Under FLIP the
+/// nodal velocity becomes its mean over the step, which is what moves the points.
+template <int Dim>
+void solve_second_velocity(MomentumData<Dim>& data);
+
+}  // namespace lapilli

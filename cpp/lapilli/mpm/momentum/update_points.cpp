@@ -1,0 +1,254 @@
+#include "lapilli/mpm/momentum/update_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lapilli/mpm/momentum/velocity_update.hpp"
+
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace lapilli {
+namespace {
+
+template <int Dim>
+double squared(const double* vector) {
+  double sum = vector[0] * vector[0];
+  for (int axis = 1; axis < Dim; ++axis) {
+    sum += vector[axis] * vector[axis];
+  }
+  return sum;
+}
+
+/// Moves points: walls hold them at the face, elsewhere they may leave and are reported.
+template <int Dim>
+class Mover {
+ public:
+  Mover(const MomentumData<Dim>& data, double step) : step_(step) {
+    const double slack = 1e-9 * data.grid.cell_size();
+    for (int axis = 0; axis < Dim; ++axis) {
+      lower_[axis] = data.grid.lower()[axis] - slack;
+      upper_[axis] = data.grid.upper()[axis] + slack;
+      const double far = std::numeric_limits<double>::infinity();
+      const bool held_below = data.settings.walls[2 * axis].kind != WallKind::open;
+      const bool held_above = data.settings.walls[2 * axis + 1].kind != WallKind::open;
+      least_[axis] = held_below ? data.grid.lower()[axis] : -far;
+      most_[axis] = held_above ? data.grid.upper()[axis] : far;
+    }
+  }
+
+  /// Whether the point is still inside the grid and finite.
+  bool operator()(double* position, const double* velocity) const {
+    bool inside = true;
+    for (int axis = 0; axis < Dim; ++axis) {
+      double x = position[axis] + step_ * velocity[axis];
+      x = x < least_[axis] ? least_[axis] : x;
+      x = x > most_[axis] ? most_[axis] : x;
+      position[axis] = x;
+      inside = inside & (x >= lower_[axis]) & (x <= upper_[axis]);
+    }
+    return inside;
+  }
+
+ private:
+  double step_;
+  double lower_[Dim], upper_[Dim], least_[Dim], most_[Dim];
+};
+
+/// Sums over pieces of the points, added in order.
+template <class Body>
+PointSums sum_over_points(Index count, const Body& body) {
+  std::vector<PointSums> partial(static_cast<std::size_t>((count + piece_rows - 1) / piece_rows));
+  parallel_ranges(count,
+                  [&](Index begin, Index end) { partial[begin / piece_rows] = body(begin, end); });
+  PointSums total;
+  for (const PointSums& sums : partial) {
+    total += sums;
+  }
+  return total;
+}
+
+/// Deform the points of a staged block, one run of equal bodies at a time.
+template <int Dim>
+void deform_block(MomentumData<Dim>& data, const DeformationBlock<Dim>& block, Index begin,
+                  int rows, PointSums& sums) {
+  constexpr int components = MomentumData<Dim>::stress_components;
+  const StressRows at{data.stress.data() + begin * components, data.points.volume().data() + begin,
+                      data.mass.data() + begin,
+                      data.free_strain ? data.free_strain->data() + begin : nullptr,
+                      data.plastic ? data.plastic->data() + begin : nullptr};
+  const Index* body = data.points.body().data() + begin;
+  for (int first = 0; first < rows;) {
+    int last = first + 1;
+    while (last < rows && body[last] == body[first]) {
+      ++last;
+    }
+    const StressMaterial& material = data.materials[body[first]];
+    const StressSums found = update_stress<Dim>(material, block, at, first, last);
+    sums.plastic += found.plastic;
+    sums.least_volume = std::min(sums.least_volume, found.least_volume);
+    sums.wave_speed = std::max(sums.wave_speed, material.wave_modulus * found.wave_ratio);
+    first = last;
+  }
+  if (data.deformation) {
+    double* to = data.deformation->data() + begin * Dim * Dim;
+    for (int row = 0; row < rows; ++row) {
+      for (int c = 0; c < Dim * Dim; ++c) {
+        to[row * Dim * Dim + c] = block.gradient[c][row];
+      }
+    }
+  }
+}
+
+template <int Dim, class Shape, VelocityTransfer transfer>
+PointSums update_usl_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& stencil, double step,
+                          Index begin, Index end) {
+  const VelocityUpdate<Dim, Shape, transfer, true> update(data);
+  typename VelocityUpdate<Dim, Shape, transfer, true>::Nodes nodes(stencil, update.from);
+  const ShapeOfBody<Shape> shape_of(data.half_widths);
+  const Mover<Dim> move(data, step);
+  const Grid<Dim> grid = data.grid;
+  double* position = data.points.position().data();
+  const Index* body = data.points.body().data();
+  DeformationBlock<Dim> block;
+  PointSums sums;
+  for (Index start = begin; start < end; start += block_rows) {
+    const int rows = static_cast<int>(std::min<Index>(block_rows, end - start));
+    for (int k = 0; k < rows; ++k) {
+      const Index row = start + k;
+      const AxisWeights<Dim, Shape> axes(grid, shape_of(body[row]), position + row * Dim);
+      const QuadWeights<Dim, Shape> w(axes.value, axes.slope);
+      nodes.move_to(axes.first);
+      double carried[Dim], gradient[Dim * Dim];
+      sums.kinetic += update(row, nodes, axes, w, carried, gradient);
+      sums.speed = std::max(
+          {sums.speed, squared<Dim>(carried), squared<Dim>(data.velocity.data() + row * Dim)});
+      sums.outside = !move(position + row * Dim, carried) | sums.outside;
+      for (int c = 0; c < Dim * Dim; ++c) {
+        block.gradient[c][k] = step * gradient[c];
+      }
+    }
+    deform_block(data, block, start, rows, sums);
+  }
+  return sums;
+}
+
+template <int Dim, class Shape, VelocityTransfer transfer>
+PointSums update_velocity_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& stencil,
+                               Index begin, Index end) {
+  const VelocityUpdate<Dim, Shape, transfer, false> update(data);
+  typename VelocityUpdate<Dim, Shape, transfer, false>::Nodes nodes(stencil, update.from);
+  double* to[Dim];
+  for (int axis = 0; axis < Dim; ++axis) {
+    to[axis] = data.nodes.second_velocity(axis);
+  }
+  CellSums<Dim, Shape, Dim> sums(stencil, to);
+  const ShapeOfBody<Shape> shape_of(data.half_widths);
+  const Grid<Dim> grid = data.grid;
+  const double* position = data.points.position().data();
+  const Index* body = data.points.body().data();
+  PointSums found;
+  for (Index row = begin; row < end; ++row) {
+    const AxisWeights<Dim, Shape> axes(grid, shape_of(body[row]), position + row * Dim);
+    const QuadWeights<Dim, Shape> w(axes.value, axes.slope);
+    nodes.move_to(axes.first);
+    sums.move_to(axes.first);
+    double carried[Dim];
+    found.kinetic += update(row, nodes, axes, w, carried, nullptr);
+    const double* velocity = data.velocity.data() + row * Dim;
+    found.speed = std::max(found.speed, squared<Dim>(velocity));
+    add_momentum<transfer>(sums, 0, w, axes, grid.cell_size(), data.mass[row], velocity,
+                           data.affine ? data.affine->data() : nullptr, row);
+  }
+  return found;
+}
+
+template <int Dim, class Shape>
+PointSums update_musl_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& stencil, double step,
+                           Index begin, Index end) {
+  const double* from[2 * Dim];
+  for (int axis = 0; axis < Dim; ++axis) {
+    from[axis] = data.nodes.velocity(axis);
+    from[Dim + axis] = data.nodes.second_velocity(axis);
+  }
+  CellNodes<Dim, Shape, 2 * Dim> nodes(stencil, from);
+  const ShapeOfBody<Shape> shape_of(data.half_widths);
+  const Mover<Dim> move(data, step);
+  const Grid<Dim> grid = data.grid;
+  double* position = data.points.position().data();
+  const Index* body = data.points.body().data();
+  DeformationBlock<Dim> block;
+  PointSums sums;
+  for (Index start = begin; start < end; start += block_rows) {
+    const int rows = static_cast<int>(std::min<Index>(block_rows, end - start));
+    for (int k = 0; k < rows; ++k) {
+      const Index row = start + k;
+      const AxisWeights<Dim, Shape> axes(grid, shape_of(body[row]), position + row * Dim);
+      const QuadWeights<Dim, Shape> w(axes.value, axes.slope);
+      nodes.move_to(axes.first);
+      constexpr int count = (Dim + Dim * Dim + 3) / 4 * 4;
+      Quad parts[count];
+      for (int axis = 0; axis < Dim; ++axis) {
+        parts[axis] = nodes.weigh(axis, w.value);
+        for (int along = 0; along < Dim; ++along) {
+          parts[Dim + axis * Dim + along] = nodes.weigh(Dim + axis, w.slope[along]);
+        }
+      }
+      for (int c = Dim + Dim * Dim; c < count; ++c) {
+        parts[c] = all(0.0);
+      }
+      alignas(32) double value[count];
+      add_lanes(parts, value);
+      sums.speed = std::max(sums.speed, squared<Dim>(value));
+      sums.outside = !move(position + row * Dim, value) | sums.outside;
+      for (int c = 0; c < Dim * Dim; ++c) {
+        block.gradient[c][k] = step * value[Dim + c];
+      }
+    }
+    deform_block(data, block, start, rows, sums);
+  }
+  return sums;
+}
+
+}  // namespace
+
+template <int Dim>
+PointSums update_velocities(MomentumData<Dim>& data, double) {
+  data.nodes.clear_second_velocity();
+  std::vector<PointSums> partial(static_cast<std::size_t>(data.order.strip_count()));
+  with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
+    const Stencil<Dim, Shape> stencil(data.grid);
+    data.order.for_each_strip([&](Index begin, Index end, Index strip) {
+      partial[strip] = update_velocity_rows<Dim, Shape, transfer>(data, stencil, begin, end);
+    });
+  });
+  PointSums total;
+  for (const PointSums& sums : partial) {
+    total += sums;
+  }
+  total.speed = std::sqrt(total.speed);
+  return total;
+}
+
+template <int Dim>
+PointSums update_points(MomentumData<Dim>& data, double step) {
+  PointSums total;
+  with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
+    const Stencil<Dim, Shape> stencil(data.grid);
+    total = sum_over_points(data.points.size(), [&](Index begin, Index end) {
+      return data.settings.stress_update == StressUpdate::usl
+                 ? update_usl_rows<Dim, Shape, transfer>(data, stencil, step, begin, end)
+                 : update_musl_rows<Dim, Shape>(data, stencil, step, begin, end);
+    });
+  });
+  total.speed = std::sqrt(total.speed);
+  total.wave_speed = std::sqrt(total.wave_speed);
+  return total;
+}
+
+template PointSums update_velocities<2>(MomentumData<2>&, double);
+template PointSums update_velocities<3>(MomentumData<3>&, double);
+template PointSums update_points<2>(MomentumData<2>&, double);
+template PointSums update_points<3>(MomentumData<3>&, double);
+
+}  // namespace lapilli

@@ -1,0 +1,52 @@
+#include <catch2/catch.hpp>
+
+#include "momentum/fixtures.hpp"
+
+using namespace momentum_test;
+
+namespace {
+
+/// A disk that does not fit the grid, under a pressure that grows slowly and then stays: RMS error
+/// of the in-plane stress deeper than 2 h from the surface, over the pressure.
+double pressed_disk(double h, double* gap) {
+  const double radius = 1.0, pressure = 1e3;
+  Run<2> run(Grid<2>({-1.3, -1.3}, {1.3, 1.3}, h), ShapeFunction::gimp);
+  const LinearElastic solid = elastic(1000, 1e6, 0.3);
+  MomentumBody body{solid, 0.25, {}, {}, Table{{0.0, 0.5}, {0.0, pressure}}};
+  run.add(body, 2, [=](const Vec<2>& x) { return (x - Vec<2>(0.013, -0.007)).norm() < radius; });
+  run.start();
+  run.until(1.0);  // some fifteen wave transits to load, as many to rest
+  double square = 0.0;
+  Index count = 0;
+  for (Index row = 0; row < run.points.size(); ++row) {
+    if ((run.points.position<2>(row) - Vec<2>(0.013, -0.007)).norm() < radius - 2 * h) {
+      const double* s = run.solver->stress().data() + 4 * row;
+      square += (std::pow(s[0] + pressure, 2) + std::pow(s[1] + pressure, 2) + 2 * s[3] * s[3]) / 3;
+      ++count;
+    }
+  }
+  const Ledger energy = run.solver->ledgers()[0];
+  *gap = (energy.stored - energy.initial - energy.taken_in()) / run.value("pressure work");
+  return std::sqrt(square / static_cast<double>(count)) / pressure;
+}
+
+}  // namespace
+
+TEST_CASE("pressure on a disk that does not fit the grid presses it evenly") {
+  double gap;
+  const double error = pressed_disk(0.1, &gap);
+  CAPTURE(error, gap);
+  CHECK(error < 0.03);
+  CHECK(std::abs(gap) < 0.01);
+}
+
+TEST_CASE("pressure on a disk, finer", "[.slow]") {
+  double gap;
+  double before = 1.0;
+  for (double h : {0.1, 0.05, 0.025}) {
+    const double error = pressed_disk(h, &gap);
+    WARN("h " << h << ": RMS error over the pressure " << error << ", energy gap " << gap);
+    CHECK(error < before);
+    before = error;
+  }
+}
