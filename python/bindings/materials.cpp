@@ -1,7 +1,9 @@
 #include "bind_struct.hpp"
 #include "bindings.hpp"
 #include "convert_core.hpp"
+#include "lapilli/materials/coupling.hpp"
 #include "lapilli/materials/elastic.hpp"
+#include "lapilli/materials/mohr_coulomb.hpp"
 #include "lapilli/materials/newtonian.hpp"
 #include "lapilli/materials/thermal.hpp"
 
@@ -14,6 +16,15 @@ void bind_materials(py::module_& module) {
       module, "Thermal",
       "A solid that stores and conducts heat (Fourier), with constant coefficients.");
   bind_struct<LinearElastic>(module, "Elastic", "An isotropic linear elastic solid.");
+  bind_struct<MohrCoulomb>(module, "MohrCoulomb",
+                           "Elastic, perfectly plastic soil with friction, dilation, cohesion and "
+                           "a tension cut-off.");
+  bind_struct<ThermalExpansion>(module, "ThermalExpansion",
+                                "Isotropic expansion with temperature, beside a solid and a "
+                                "thermal material.");
+  bind_struct<PlasticHeating>(module, "PlasticHeating",
+                              "Heat released by plastic work, beside a solid and a thermal "
+                              "material.");
 }
 
 }  // namespace lapilli::python

@@ -2,6 +2,7 @@
 #include "convert_core.hpp"
 #include "convert_geometry.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
+#include "lapilli/mpm/momentum/momentum_settings.hpp"
 #include "lapilli/mpm/quasi_static/settings.hpp"
 
 namespace lapilli::python {
@@ -17,6 +18,17 @@ void bind_mpm(py::module_& module) {
   bind_struct<PrescribedTemperature>(module, "Temperature",
                                      "A temperature held on a surface that need not fit the grid.");
   bind_struct<HeatSettings>(module, "Heat", "Heat conduction: the section [heat] of a scene.");
+  bind_struct<NoSlipWall>(module, "NoSlipWall", "A face of the grid that the material sticks to.");
+  bind_struct<RollerWall>(
+      module, "RollerWall",
+      "A face of the grid that the material slides along and cannot part from.");
+  bind_struct<FrictionalWall>(module, "FrictionalWall",
+                              "A face of the grid that the material parts from freely and slides "
+                              "along with Coulomb friction.");
+  bind_struct<Pressure>(module, "Pressure", "A pressure on a free surface.");
+  bind_struct<Traction>(module, "Traction", "A force per area of a free surface.");
+  bind_struct<MomentumSettings>(module, "Momentum",
+                                "Explicit momentum: the section [momentum] of a scene.");
   bind_struct<WallSettings>(module, "ImplicitWall",
                             "A surface on which the displacement is prescribed; it need not fit "
                             "the grid.");

@@ -128,6 +128,10 @@ void bind_scene(py::module_& module) {
   bind_struct<GridSettings>(module, "Grid",
                             "The background grid; its corners give the dimension of the scene.");
   bind_struct<TimeSettings>(module, "Time", "When the run ends and how its steps are chosen.");
+  bind_struct<GeostaticStress>(module, "Geostatic",
+                               "The stress of a body that rests below an even free surface, level "
+                               "or inclined.");
+  bind_struct<Monitor>(module, "Monitor", "A material point whose history is asked for.");
   bind_struct<OutputSettings>(module, "Output", "What a run leaves on disk.");
   auto scene =
       bind_struct<Scene>(module, "Scene",

@@ -97,6 +97,9 @@ py::dict surface(PythonSimulation& simulation) {
   for (const auto& physics : simulation.get().physics()) {
     if (const auto* owner = dynamic_cast<const HasSurface*>(physics.get())) {
       const SurfaceView view = owner->surface();
+      if (view.area.empty()) {
+        continue;
+      }
       const auto rows = static_cast<py::ssize_t>(view.area.size());
       const std::vector<py::ssize_t> shape = {rows, view.dimension};
       all["position"] = py::array_t<double>(shape, view.position.data());

@@ -68,6 +68,12 @@ void Points::load(const Archive& archive) {
   moved();
 }
 
+bool Points::carry_gradients() const {
+  return std::ranges::any_of(attached_, [](const PointArray* array) {
+    return array->kind() == PointArray::Kind::gradient;
+  });
+}
+
 void Points::attach(PointArray* array) { attached_.push_back(array); }
 
 void Points::detach(PointArray* array) { std::erase(attached_, array); }

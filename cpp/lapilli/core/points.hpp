@@ -45,6 +45,9 @@ class Points {
   template <int Dim, class Increment>
   void moved(const Increment& increment);
   Index version() const { return version_; }
+  /// Whether an attached array holds gradients, so that whoever moves the points must say how they
+  /// were deformed.
+  bool carry_gradients() const;
 
   /// Re-order: new row k holds what was in row order[k]; attached arrays follow in place, so their
   /// addresses stay.

@@ -12,6 +12,7 @@ namespace lapilli {
 /// a Rankine cut-off (at the apex unless a lower one is given). Tension is positive.
 /// Not modelled: hardening, rate dependence, pore pressure.
 struct MohrCoulomb {
+  static constexpr const char* kind = "mohr_coulomb";
   LinearElastic elastic;
   double friction = 0.0;                                            // degrees, in [0, 90)
   double dilation = 0.0;                                            // degrees, in [0, friction]
@@ -33,6 +34,7 @@ struct MohrCoulomb {
     visit(Key("tension_cutoff")
               .unit("Pa")
               .non_negative()
+              .or_infinite()
               .text("largest principal stress; the apex of the cone where it is lower"),
           self.tension_cutoff);
   }

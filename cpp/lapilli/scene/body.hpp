@@ -8,15 +8,19 @@
 #include "lapilli/core/describe.hpp"
 #include "lapilli/core/value.hpp"
 #include "lapilli/geometry/shape.hpp"
+#include "lapilli/materials/coupling.hpp"
 #include "lapilli/materials/elastic.hpp"
+#include "lapilli/materials/mohr_coulomb.hpp"
 #include "lapilli/materials/newtonian.hpp"
 #include "lapilli/materials/thermal.hpp"
+#include "lapilli/mpm/momentum/geostatic.hpp"
 #include "lapilli/mpm/prescribed_motion.hpp"
 
 namespace lapilli {
 
 /// What a body is made of; each physics takes the one it knows.
-using Material = std::variant<Thermal, LinearElastic, Newtonian>;
+using Material =
+    std::variant<Thermal, LinearElastic, Newtonian, MohrCoulomb, ThermalExpansion, PlasticHeating>;
 
 /// Points handed over by a program; no file holds them.
 struct GivenPoints {
@@ -44,6 +48,7 @@ struct Body {
   Value temperature = 0.0;       // K, at the start
   Value source = 0.0;            // W/m^3, heat released
   std::vector<double> velocity;  // m/s, at the start; empty: at rest
+  std::optional<GeostaticStress> geostatic;
   std::optional<Motion> motion;
 
   template <class Self, class Visitor>
@@ -80,6 +85,8 @@ struct Body {
     visit(Key("temperature").unit("K").text("temperature at the start"), self.temperature);
     visit(Key("source").unit("W/m^3").text("heat released in its volume"), self.source);
     visit(Key("velocity").unit("m/s").length(0, 3).text("velocity at the start"), self.velocity);
+    visit(Key("geostatic").text("stress at the start, of a body at rest; absent: none"),
+          self.geostatic);
     visit(Key("motion").text("prescribed motion"), self.motion);
   }
 };

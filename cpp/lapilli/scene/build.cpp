@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/geometry/checks.hpp"
+#include "lapilli/mpm/heat/heat_on_points.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
+#include "lapilli/mpm/momentum/momentum.hpp"
+#include "lapilli/mpm/momentum/plastic_heat.hpp"
+#include "lapilli/mpm/momentum/thermal_strain.hpp"
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/build_peridynamics.hpp"
@@ -68,17 +73,29 @@ bool has_motion(const Scene& scene) {
                      [](const Body& body) { return body.motion.has_value(); });
 }
 
+bool has_moving_points(const Scene& scene) { return has_motion(scene) || scene.momentum; }
+
+// The box of a point is half its spacing wide on each side, whatever its volume.
+double half_width_of(const Scene& scene, const FilledPoints& filled) {
+  return std::min(0.5, 0.5 * filled.spacing / scene.grid.cell);
+}
+
 template <int Dim>
 std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
                                  const std::vector<FilledPoints>& filled, Points& points) {
   HeatProblem<Dim> problem{grid,        scene.grid.shape_function, {},
-                           *scene.heat, distance_of(scene),        has_motion(scene)};
+                           *scene.heat, distance_of(scene),        has_moving_points(scene)};
+  if (scene.momentum) {
+    for (const GridWall& wall : scene.momentum->walls) {
+      std::visit(
+          [&](const auto& known) { problem.walls[static_cast<std::size_t>(known.face)] = true; },
+          wall);
+    }
+  }
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const Body& body = scene.bodies[k];
-    // The box of a point is half its spacing wide on each side, whatever its volume.
-    const double half_width = std::min(0.5, 0.5 * filled[k].spacing / grid.cell_size());
-    problem.bodies.push_back(
-        {material_of<Thermal>(body), half_width, body.temperature, body.source});
+    problem.bodies.push_back({material_of<Thermal>(body), half_width_of(scene, filled[k]),
+                              body.temperature, body.source});
   }
   return at_place(scene, "heat", [&] { return make_heat<Dim>(points, std::move(problem)); });
 }
@@ -93,6 +110,73 @@ std::unique_ptr<Physics> quasi_static_of(const Scene& scene, Points& points) {
                              scene.grid.cell, scene.grid.shape_function, std::move(materials),
                              *scene.quasi_static);
   });
+}
+
+Solid solid_of(const Body& body) {
+  for (const Material& material : body.material) {
+    if (const auto* elastic = std::get_if<LinearElastic>(&material)) {
+      return *elastic;
+    }
+  }
+  return material_of<MohrCoulomb>(body);
+}
+
+template <int Dim>
+std::unique_ptr<Momentum<Dim>> momentum_of(const Scene& scene, const Grid<Dim>& grid,
+                                           const std::vector<FilledPoints>& filled,
+                                           Points& points) {
+  MomentumProblem<Dim> problem{
+      grid, scene.grid.shape_function, {}, *scene.momentum, distance_of(scene)};
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    MomentumBody body{solid_of(scene.bodies[k]), half_width_of(scene, filled[k]), {}, {}};
+    if (!scene.bodies[k].velocity.empty()) {
+      body.velocity = [start = place(scene.bodies[k].velocity)](const Vec3&) { return start; };
+    }
+    if (scene.bodies[k].geostatic) {
+      const Vec3 gravity = place(scene.momentum->gravity);
+      const double density = elastic_part(body.material).density;
+      body.stress = [rest = *scene.bodies[k].geostatic, gravity, density](const Vec3& at) {
+        return stress_at(rest, at, gravity, density);
+      };
+    }
+    problem.bodies.push_back(std::move(body));
+  }
+  return at_place(scene, "momentum", [&] { return make_momentum<Dim>(points, problem); });
+}
+
+// The coefficient of a coupling in every body, zero where it is absent; empty where no body has it.
+template <class Coupling>
+std::vector<double> coupling_of(const Scene& scene, double Coupling::*member) {
+  std::vector<double> values;
+  bool any = false;
+  for (const Body& body : scene.bodies) {
+    values.push_back(0.0);
+    for (const Material& material : body.material) {
+      if (const auto* coupling = std::get_if<Coupling>(&material)) {
+        values.back() = coupling->*member;
+        any = true;
+      }
+    }
+  }
+  return any ? values : std::vector<double>{};
+}
+
+// Couplings stand between heat and momentum: what heat did this step expands, and what momentum
+// dissipated in the step before heats.
+template <int Dim>
+void couple(const Scene& scene, Points& points, HeatOnPoints<Dim>& heat, Momentum<Dim>& momentum,
+            PhysicsList& physics) {
+  const auto shares = coupling_of(scene, &PlasticHeating::share);
+  if (!shares.empty()) {
+    physics.push_back(std::make_unique<PlasticHeat>(
+        points, momentum.plastic_work(), heat.carried_temperature(), heat.capacity(), shares,
+        [&heat](double joule) { heat.book_plastic(joule); }));
+  }
+  const auto coefficients = coupling_of(scene, &ThermalExpansion::coefficient);
+  if (!coefficients.empty()) {
+    physics.push_back(std::make_unique<ThermalStrain>(points, heat.carried_temperature(),
+                                                      momentum.free_strain(), coefficients));
+  }
 }
 
 Simulation::Clock clock_of(const Scene& scene) {
@@ -115,6 +199,16 @@ std::unique_ptr<Simulation> build_in(const Scene& scene) {
   PhysicsList physics;
   if (scene.heat) {
     physics.push_back(heat_of<Dim>(scene, grid, filled, *points));
+  }
+  if constexpr (Dim > 1) {
+    if (scene.momentum) {
+      auto momentum = momentum_of<Dim>(scene, grid, filled, *points);
+      if (scene.heat) {
+        couple<Dim>(scene, *points, dynamic_cast<HeatOnPoints<Dim>&>(*physics.front()), *momentum,
+                    physics);
+      }
+      physics.push_back(std::move(momentum));
+    }
   }
   if (scene.quasi_static) {
     physics.push_back(quasi_static_of(scene, *points));

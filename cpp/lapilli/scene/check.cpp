@@ -125,6 +125,48 @@ void describe_quasi_static(const Scene& scene, CheckReport& report) {
   }
 }
 
+void describe_momentum(const Scene& scene, CheckReport& report) {
+  if (!scene.momentum) {
+    report.not_modelled.push_back("momentum, deformation");
+    return;
+  }
+  report.modelled.push_back(report.dimension == 2 ? "explicit momentum in plane strain"
+                                                  : "explicit momentum");
+  const MomentumSettings& settings = *scene.momentum;
+  if (settings.gravity.empty()) {
+    report.not_modelled.push_back("gravity");
+  } else {
+    report.modelled.push_back("gravity");
+  }
+  for (const GridWall& wall : settings.walls) {
+    std::visit(
+        [&](const auto& known) {
+          report.modelled.push_back(message(known.kind, " wall ", name_of(known.face)));
+        },
+        wall);
+  }
+  for (const Body& body : scene.bodies) {
+    for (const Material& material : body.material) {
+      if (std::holds_alternative<ThermalExpansion>(material)) {
+        report.modelled.push_back(message("thermal expansion of ", body.name));
+      } else if (std::holds_alternative<PlasticHeating>(material)) {
+        report.modelled.push_back(message("plastic heating of ", body.name));
+      }
+    }
+  }
+  for (const MomentumBoundary& law : settings.boundaries) {
+    report.modelled.push_back(std::visit([](const auto& known) { return known.kind; }, law));
+  }
+  if (settings.walls.empty()) {
+    report.notes.push_back("[momentum] has no walls: a point that leaves the grid stops the run");
+  }
+  for (const char* absent : {"hardening", "pore pressure",
+                             "contact between bodies other than "
+                             "through common nodes"}) {
+    report.not_modelled.push_back(absent);
+  }
+}
+
 void describe_physics(const Scene& scene, CheckReport& report) {
   if (scene.peridynamics) {
     describe_peridynamics(scene, report);
@@ -132,6 +174,7 @@ void describe_physics(const Scene& scene, CheckReport& report) {
   }
   describe_heat(scene, report);
   describe_quasi_static(scene, report);
+  describe_momentum(scene, report);
   bool moving = false;
   for (const Body& body : scene.bodies) {
     moving |= body.motion.has_value();

@@ -7,6 +7,7 @@
 
 #include "lapilli/core/describe.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
+#include "lapilli/mpm/momentum/momentum_settings.hpp"
 #include "lapilli/mpm/quasi_static/settings.hpp"
 #include "lapilli/mpm/shape_function.hpp"
 #include "lapilli/scene/body.hpp"
@@ -48,6 +49,19 @@ struct TimeSettings {
   }
 };
 
+/// A material point whose history is asked for: the one nearest to a place at the start.
+struct Monitor {
+  std::string name;
+  std::vector<double> position;  // m, at the start
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("name").required().text("name of the point in results"), self.name);
+    visit(Key("position").unit("m").required().length(1, 3).text("where it is at the start"),
+          self.position);
+  }
+};
+
 /// What a run leaves on disk.
 struct OutputSettings {
   std::string path;                        // frames for ParaView, ends in .vtkhdf; empty: none
@@ -82,10 +96,12 @@ struct Scene {
   GridSettings grid;
   std::vector<Body> bodies;
   std::optional<HeatSettings> heat;
+  std::optional<MomentumSettings> momentum;
   std::optional<QuasiStaticSettings> quasi_static;
   std::optional<PeridynamicsSettings> peridynamics;
   TimeSettings time;
   OutputSettings output;
+  std::vector<Monitor> monitors;
   std::shared_ptr<const Places> places;  // where each key stood in the file; null when in none
 
   template <class Self, class Visitor>
@@ -94,6 +110,7 @@ struct Scene {
     visit(Key("grid").required().text("background grid"), self.grid);
     visit(Key("bodies").required().length(1, 1000000).text("bodies"), self.bodies);
     visit(Key("heat").text("heat conduction; absent: not modelled"), self.heat);
+    visit(Key("momentum").text("explicit momentum; absent: not modelled"), self.momentum);
     visit(Key("quasi_static").text("equilibrium under load steps; absent: not modelled"),
           self.quasi_static);
     visit(
@@ -101,6 +118,7 @@ struct Scene {
         self.peridynamics);
     visit(Key("time").required().text("end and steps"), self.time);
     visit(Key("output").text("frames and checkpoints"), self.output);
+    visit(Key("monitors").text("material points whose history is asked for"), self.monitors);
   }
 };
 

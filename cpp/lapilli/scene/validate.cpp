@@ -108,6 +108,26 @@ void check_axis(const Scene& scene, const std::vector<double>& axis, const std::
   require_at(place(axis).norm() > 0.0, scene, path, "must have a length above 0");
 }
 
+template <class Known>
+void check_material(const Known& material) {
+  check(material);
+}
+// Couplings have no check beyond the range of their numbers.
+void check_material(const ThermalExpansion&) {}
+void check_material(const PlasticHeating&) {}
+
+bool is_coupling(const Material& material) {
+  return std::holds_alternative<ThermalExpansion>(material) ||
+         std::holds_alternative<PlasticHeating>(material);
+}
+
+double density_of(const Thermal& material) { return material.density; }
+double density_of(const LinearElastic& material) { return material.density; }
+double density_of(const MohrCoulomb& material) { return material.elastic.density; }
+double density_of(const Newtonian& material) { return material.density; }
+double density_of(const ThermalExpansion&) { return 0.0; }
+double density_of(const PlasticHeating&) { return 0.0; }
+
 void check_motion(const Scene& scene, const Motion& motion, const std::string& path) {
   if (const auto* turn = std::get_if<Rotation>(&motion)) {
     require_at(dimension_of(scene) > 1, scene, path, "cannot turn a body in one dimension");
@@ -121,6 +141,31 @@ void check_motion(const Scene& scene, const Motion& motion, const std::string& p
   }
 }
 
+void check_momentum_body(const Scene& scene, const Body& body, int solid, const std::string& path) {
+  if (!scene.momentum) {
+    require_at(body.velocity.empty(), scene, path + ".velocity",
+               "has no effect without [momentum]; a prescribed motion is `motion`");
+    require_at(!body.geostatic, scene, path + ".geostatic", "has no effect without [momentum]");
+    return;
+  }
+  require_at(solid == 1, scene, path + ".material",
+             "has no elastic or mohr_coulomb material, which [momentum] needs");
+  require_at(!body.motion, scene, path + ".motion",
+             "contradicts [momentum], which moves every body");
+  if (body.geostatic) {
+    check_dimension(scene, body.geostatic->surface, path + ".geostatic.surface");
+    check_dimension(scene, body.geostatic->normal, path + ".geostatic.normal");
+  }
+  double density = 0.0;
+  for (const Material& material : body.material) {
+    const double here = std::visit([](const auto& known) { return density_of(known); }, material);
+    require_at(density == 0.0 || here == 0.0 || here == density, scene, path + ".material",
+               "has two densities, ", density, " and ", here,
+               " kg/m3; both are of the undeformed body and must agree");
+    density = std::max(density, here);
+  }
+}
+
 void check_body(const Scene& scene, const Body& body, const std::string& path) {
   check_dimension(scene, body.rotation_center, path + ".rotation_center");
   check_dimension(scene, body.translation, path + ".translation");
@@ -131,13 +176,17 @@ void check_body(const Scene& scene, const Body& body, const std::string& path) {
   if (body.motion) {
     check_motion(scene, *body.motion, path + ".motion");
   }
-  int thermal = 0, elastic = 0, newtonian = 0;
+  int thermal = 0, elastic = 0, newtonian = 0, solid = 0;
   for (const Material& material : body.material) {
     at_place(scene, path + ".material",
-             [&] { std::visit([](const auto& known) { check(known); }, material); });
+             [&] { std::visit([](const auto& known) { check_material(known); }, material); });
+    require_at(!is_coupling(material) || (scene.heat && scene.momentum), scene, path + ".material",
+               "couples heat and momentum, the scene needs both [heat] and [momentum]");
     thermal += std::holds_alternative<Thermal>(material);
     elastic += std::holds_alternative<LinearElastic>(material);
     newtonian += std::holds_alternative<Newtonian>(material);
+    solid += std::holds_alternative<LinearElastic>(material) ||
+             std::holds_alternative<MohrCoulomb>(material);
   }
   require_at(thermal <= 1, scene, path + ".material", "has ", thermal, " thermal materials");
   require_at(newtonian <= 1, scene, path + ".material", "has ", newtonian, " newtonian materials");
@@ -148,6 +197,8 @@ void check_body(const Scene& scene, const Body& body, const std::string& path) {
              "has no elastic material, which [quasi_static] needs");
   require_at(!scene.quasi_static || !body.motion, scene, path + ".motion",
              "contradicts [quasi_static], which moves the points itself");
+  require_at(solid <= 1, scene, path + ".material", "has ", solid, " solid materials");
+  check_momentum_body(scene, body, solid, path);
 }
 
 void check_quasi_static(const Scene& scene) {
@@ -159,6 +210,8 @@ void check_quasi_static(const Scene& scene) {
              "must be linear or gimp where [quasi_static] is modelled, got bspline");
   require_at(scene.time.step || scene.time.steps, scene, "quasi_static",
              "has no stable step to choose from: give time.steps, the number of load steps");
+  require_at(!scene.momentum, scene, "quasi_static",
+             "contradicts [momentum]: both move the points");
 }
 
 void check_time(const Scene& scene) {
@@ -181,6 +234,14 @@ void validate(const Scene& as_written) {
     check_quasi_static(scene);
   }
   validate_peridynamics(scene);
+  for (std::size_t k = 0; k < scene.monitors.size(); ++k) {
+    check_dimension(scene, scene.monitors[k].position, message("monitors.", k, ".position"));
+  }
+  if (scene.momentum) {
+    require_at(dimension_of(scene) > 1, scene, "momentum",
+               "needs two (plane strain) or three dimensions, the grid has one");
+    at_place(scene, "momentum", [&] { check(*scene.momentum, dimension_of(scene)); });
+  }
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     check_body(scene, scene.bodies[k], message("bodies.", k));
   }

@@ -63,8 +63,15 @@ struct Run {
     fill<Dim>(points, problem.grid, per_axis, inside, static_cast<int>(problem.bodies.size()));
     problem.bodies.push_back(std::move(body));
   }
-  void wall(int axis, int side, WallKind kind, double friction = 0.0) {
-    problem.settings.walls[static_cast<std::size_t>(2 * axis + side)] = {kind, friction};
+  static GridFace face(int axis, int side) { return static_cast<GridFace>(2 * axis + side); }
+  void no_slip(int axis, int side) {
+    problem.settings.walls.push_back(NoSlipWall{face(axis, side)});
+  }
+  void roller(int axis, int side) {
+    problem.settings.walls.push_back(RollerWall{face(axis, side)});
+  }
+  void frictional(int axis, int side, double coefficient) {
+    problem.settings.walls.push_back(FrictionalWall{face(axis, side), coefficient});
   }
   void start(int threads = 1) {
     set_thread_count(threads);

@@ -18,10 +18,10 @@ std::unique_ptr<Run<2>> column(double aspect, double h, int per_axis, StressUpda
   MomentumBody body{soil(1e6, 30), 0.25, {}, {}};
   run->add(body, per_axis,
            [=](const Vec<2>& x) { return x[0] < radius && x[1] < aspect * radius; });
-  run->problem.settings.gravity = {0, -9.81, 0};
+  run->problem.settings.gravity = {0, -9.81};
   run->problem.settings.stress_update = update;
-  run->wall(0, 0, WallKind::roller);
-  run->wall(1, 0, WallKind::no_slip);
+  run->roller(0, 0);
+  run->no_slip(1, 0);
   run->start();
   return run;
 }
@@ -137,11 +137,11 @@ double creep(double slope, double h, double time) {
                       return SymmetricTensor(k0 * across, across, k0 * across, -shear, 0, 0);
                     }};
   run.add(body, 3, [=](const Vec<2>& x) { return x[1] < depth; });
-  run.problem.settings.gravity = {g * std::sin(angle), -g * std::cos(angle), 0};
+  run.problem.settings.gravity = {g * std::sin(angle), -g * std::cos(angle)};
   run.problem.settings.pic_share = 0.0;
-  run.wall(0, 0, WallKind::no_slip);
-  run.wall(0, 1, WallKind::no_slip);
-  run.wall(1, 0, WallKind::no_slip);
+  run.no_slip(0, 0);
+  run.no_slip(0, 1);
+  run.no_slip(1, 0);
   run.start();
   std::vector<Vec<2>> start(static_cast<std::size_t>(run.points.size()));
   for (Index row = 0; row < run.points.size(); ++row) {

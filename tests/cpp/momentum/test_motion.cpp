@@ -16,7 +16,7 @@ TEST_CASE("free fall is exact, also of a single point") {
         return x[1] > 18 && x[1] < 19 && x[0] < 1 &&
                (!alone || (x[1] < 18.5 && x[0] < 0.25 && x[1] < 18.25));
       });
-      run.problem.settings.gravity = {0, -9.81, 0};
+      run.problem.settings.gravity = {0, -9.81};
       run.problem.settings.stress_update = update;
       run.start();
       const std::vector<double> start(run.points.position().begin(), run.points.position().end());
@@ -118,8 +118,8 @@ Pulse run_pulse(ShapeFunction shape, double h, double share) {
            }},
           2, [](const Vec<2>&) { return true; });
   for (int side : {0, 1}) {
-    run.wall(0, side, WallKind::roller);
-    run.wall(1, side, WallKind::roller);
+    run.roller(0, side);
+    run.roller(1, side);
   }
   run.problem.settings.pic_share = 0.0;
   run.start();

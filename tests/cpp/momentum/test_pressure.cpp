@@ -12,7 +12,8 @@ double pressed_disk(double h, double* gap) {
   const double radius = 1.0, pressure = 1e3;
   Run<2> run(Grid<2>({-1.3, -1.3}, {1.3, 1.3}, h), ShapeFunction::gimp);
   const LinearElastic solid = elastic(1000, 1e6, 0.3);
-  MomentumBody body{solid, 0.25, {}, {}, Table{{0.0, 0.5}, {0.0, pressure}}};
+  MomentumBody body{solid, 0.25, {}, {}};
+  run.problem.settings.boundaries.push_back(Pressure{"", Table{{0.0, 0.5}, {0.0, pressure}}, {}});
   run.add(body, 2, [=](const Vec<2>& x) { return (x - Vec<2>(0.013, -0.007)).norm() < radius; });
   run.start();
   run.until(1.0);  // some fifteen wave transits to load, as many to rest
@@ -26,7 +27,7 @@ double pressed_disk(double h, double* gap) {
     }
   }
   const Ledger energy = run.solver->ledgers()[0];
-  *gap = (energy.stored - energy.initial - energy.taken_in()) / run.value("pressure work");
+  *gap = (energy.stored - energy.initial - energy.taken_in()) / run.value("load work");
   return std::sqrt(square / static_cast<double>(count)) / pressure;
 }
 

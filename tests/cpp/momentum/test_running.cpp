@@ -19,13 +19,17 @@ std::unique_ptr<Run<Dim>> heap(ShapeFunction shape, StressUpdate update,
   const double size = Dim == 2 ? 1.5 : 0.7;
   run->add({soil(1e5, 30), 0.25, [](const Vec3&) { return Vec3(1.5, -1.0, -1.0); }, {}}, 2,
            [=](const Vec<Dim>& x) { return x.maxCoeff() < size; });
-  run->problem.settings.gravity[Dim - 1] = -9.81;
+  run->problem.settings.gravity.assign(Dim, 0.0);
+  run->problem.settings.gravity.back() = -9.81;
   run->problem.settings.stress_update = update;
   run->problem.settings.transfer = transfer;
   for (int axis = 0; axis < Dim; ++axis) {
-    run->wall(axis, 0, axis == Dim - 1 ? WallKind::frictional : WallKind::roller,
-              axis == Dim - 1 ? 0.4 : 0.0);
-    run->wall(axis, 1, WallKind::roller);
+    if (axis == Dim - 1) {
+      run->frictional(axis, 0, 0.4);
+    } else {
+      run->roller(axis, 0);
+    }
+    run->roller(axis, 1);
   }
   return run;
 }
@@ -152,7 +156,14 @@ TEST_CASE("settings out of range are refused") {
   refused([](Run<2>& run) { run.problem.settings.pic_share = 1.1; }, "pic_share");
   refused([](Run<2>& run) { run.problem.settings.step_safety = 0.0; }, "step_safety");
   refused([](Run<2>& run) { run.problem.settings.gravity[0] = NAN; }, "gravity");
-  refused([](Run<2>& run) { run.problem.settings.walls[0] = {WallKind::roller, 0.3}; }, "friction");
+  refused([](Run<2>& run) { run.problem.settings.gravity = {1.0}; }, "gravity");
+  refused([](Run<2>& run) { run.frictional(0, 0, 0.3); }, "two walls");
+  refused([](Run<2>& run) { run.roller(2, 0); }, "z_lower");
+  refused(
+      [](Run<2>& run) {
+        run.problem.settings.walls = {FrictionalWall{GridFace::x_lower, -1}};
+      },
+      "coefficient");
   refused([](Run<2>& run) { run.problem.settings.transfer = VelocityTransfer::apic; },
           "gimp or bspline");
   refused([](Run<2>& run) { run.problem.bodies.clear(); }, "bod");
@@ -178,12 +189,12 @@ TEST_CASE("extreme scenes stay finite or stop with a cause") {
           Run<2> run(Grid<2>({0, 0}, {3, 1.5}, 0.25), ShapeFunction::linear);
           run.add({soil(young, friction), 0.25, [](const Vec3&) { return Vec3(0.5, -1, 0); }, {}},
                   per_axis, [](const Vec<2>& x) { return x[0] > 1 && x[0] < 2 && x[1] < 1; });
-          run.problem.settings.gravity = {0, -9.81, 0};
+          run.problem.settings.gravity = {0, -9.81};
           run.problem.settings.stress_update = update;
-          run.wall(1, 0, WallKind::frictional, 0.5);
-          run.wall(0, 0, WallKind::roller);
-          run.wall(0, 1, WallKind::roller);
-          run.wall(1, 1, WallKind::roller);
+          run.frictional(1, 0, 0.5);
+          run.roller(0, 0);
+          run.roller(0, 1);
+          run.roller(1, 1);
           CAPTURE(young, friction, per_axis, name_of(update));
           run.start();
           try {

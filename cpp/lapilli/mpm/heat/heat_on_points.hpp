@@ -39,6 +39,8 @@ class HeatOnPoints final : public Physics, public HasSurface {
   /// What points carry, K: for laws of other physics, and for them to add heat to.
   PointArray& carried_temperature() { return temperature_; }
   const PointArray& capacity() const { return capacity_; }  // rho0 c V0, J/K
+  /// Book heat that another physics added to the carried temperatures, J.
+  void book_plastic(double heat) { plastic_ += heat; }
 
  private:
   void bound_step();
@@ -79,6 +81,7 @@ class HeatOnPoints final : public Physics, public HasSurface {
   StepLimit limit_;
   Index limited_ordering_ = -1;  // ordering that limit_ was bounded for
   double initial_ = 0.0;         // J
+  double plastic_ = 0.0;         // J, from plastic work
   double area_ = 0.0, negative_share_ = 0.0;
 
   std::unique_ptr<PointArray> output_temperature_, output_flux_;

@@ -55,6 +55,9 @@ std::vector<Ledger> HeatOnPoints<Dim>::ledgers() const {
   if (source_) {
     ledger.entries.push_back({"source", source_->booked()});
   }
+  if (plastic_ != 0.0) {
+    ledger.entries.push_back({"plastic work", plastic_});
+  }
   double low = std::numeric_limits<double>::infinity(), high = -low, capacity = 0.0;
   for (Index row = 0; row < points_.size(); ++row) {
     ledger.stored += capacity_[row] * temperature_[row];
@@ -95,6 +98,7 @@ void HeatOnPoints<Dim>::save(Archive& archive) const {
     surface_->save(archive, "heat/outside");
   }
   archive.write("heat/initial", initial_);
+  archive.write("heat/plastic", plastic_);
   archive.write("heat/source", source_ ? source_->booked() : 0.0);
   archive.write("heat/limit", std::array{limit_.hard, limit_.automatic});
   archive.write("heat/shown", output_is_current_ ? Index{1} : Index{0});
@@ -117,6 +121,7 @@ void HeatOnPoints<Dim>::load(const Archive& archive) {
     surface_->load(archive, "heat/outside");
   }
   initial_ = archive.read_number("heat/initial");
+  plastic_ = archive.read_number("heat/plastic");
   if (source_) {
     source_->set_booked(archive.read_number("heat/source"));
   }

@@ -8,6 +8,7 @@
 #include "lapilli/materials/thermal.hpp"
 #include "lapilli/mpm/grid.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
+#include "lapilli/mpm/heat/wall_contact.hpp"
 #include "lapilli/mpm/nodal_surface.hpp"
 #include "lapilli/mpm/weights.hpp"
 
@@ -30,6 +31,7 @@ struct HeatProblem {
   HeatSettings settings;
   DistanceFunction distance;  // signed distance to the union of the bodies; may be empty
   bool moving = false;        // whether another physics moves the points
+  ContactFaces walls{};       // faces of the grid that bodies rest against: no heat passes there
 };
 
 /// The heat solver a scene needs: nodal operators assembled once where points rest and the transfer

@@ -8,6 +8,7 @@ namespace lapilli {
 template <int Dim>
 HeatSurface<Dim>::HeatSurface(const Points& points, const HeatProblem<Dim>& problem)
     : problem_(problem),
+      contact_(problem.grid, problem.walls),
       outside_(problem.grid, static_cast<int>(problem.bodies.size())),
       version_(points.version()) {
   outside_.start(points, problem.distance);
@@ -27,6 +28,15 @@ NodalAreas<Dim> HeatSurface<Dim>::areas(const Points& points,
   }
   if (settings.method == FluxMethod::node) {
     return face_areas(problem_.grid, points, outside_.flags());
+  }
+  if (contact_.any()) {
+    const NodalSums<Dim> both = contact_.mirrored(sums);
+    const std::vector<unsigned char> flags = contact_.without_walls(outside_.flags());
+    NodalAreas<Dim> areas = nodal_normal_areas(
+        problem_.grid, both, surface_nodes(problem_.grid, std::span(flags), both.fraction),
+        settings.normal_smoothing, settings.corner_fit);
+    contact_.take_off(areas, sums, outside_.flags());
+    return areas;
   }
   return nodal_normal_areas(problem_.grid, sums,
                             surface_nodes(problem_.grid, outside_.flags(), sums.fraction),
@@ -62,6 +72,12 @@ NodalAreas<Dim> paper_areas(const Points& points, const HeatProblem<Dim>& proble
   std::vector<double> fill(static_cast<std::size_t>(grid.cell_count()), 0.0);
   for (Index row = 0; row < points.size(); ++row) {
     fill[grid.cell_index(grid.cell_containing(points.position<Dim>(row)))] += points.volume()[row];
+  }
+  // Walls are no surface: the cells behind them count as full.
+  const std::vector<unsigned char> none(fill.size(), 1);
+  const std::vector<unsigned char> free = WallContact<Dim>(grid, problem.walls).without_walls(none);
+  for (std::size_t cell = 0; cell < fill.size(); ++cell) {
+    fill[cell] = free[cell] != 0 ? fill[cell] : grid.cell_volume();
   }
   // A cell filled to exactly eta must not be decided by rounding.
   const double least = problem.settings.surface_fraction * grid.cell_volume() * (1.0 - 1e-9);

@@ -21,6 +21,7 @@ class HeatSurface {
 
  private:
   const HeatProblem<Dim>& problem_;
+  WallContact<Dim> contact_;
   OutsideCells<Dim> outside_;
   Index version_;  // of the points that outside_ belongs to
 };

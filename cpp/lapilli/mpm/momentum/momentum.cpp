@@ -15,6 +15,9 @@ Momentum<Dim>::Momentum(Points& points, const MomentumProblem<Dim>& problem)
     : data_(points, problem) {
   start_affine(problem);
   data_.order.update(points);
+  if (!problem.settings.boundaries.empty()) {
+    loads_ = std::make_unique<Loads<Dim>>(data_, problem);
+  }
   ordering_ = points.ordering();
   for (Index row = 0; row < points.size(); ++row) {
     const StressMaterial& material = data_.materials[points.body()[row]];
@@ -30,9 +33,18 @@ Momentum<Dim>::Momentum(Points& points, const MomentumProblem<Dim>& problem)
 
 template <int Dim>
 StepReport Momentum<Dim>::advance(const Step& step) {
+  if (data_.points.carry_gradients()) {
+    incremental_deformation();
+  }
   keep_order(step.size);
   project_to_grid(data_);
+  if (loads_) {
+    loads_->add_forces(data_, step.time);
+  }
   const NodeSums nodes = solve_nodes(data_, step.size);
+  if (loads_) {
+    loads_->book(data_, step.size);
+  }
   PointSums velocities;
   if (data_.settings.stress_update == StressUpdate::musl) {
     velocities = update_velocities(data_, step.size);
@@ -47,14 +59,28 @@ StepReport Momentum<Dim>::advance(const Step& step) {
   flows_.friction -= nodes.friction;
   flows_.impact -= nodes.impact;
   flows_.transfer += (kinetic_ - nodes.kinetic_before) + (nodes.kinetic_after - sums.kinetic);
-  flows_.gravity += step.size * total_mass_ * data_.settings.gravity;
+  flows_.gravity += step.size * total_mass_ * data_.gravity;
   flows_.walls += nodes.wall_impulse;
   kinetic_ = sums.kinetic;
   speed_ = sums.speed;
   wave_speed_ = sums.wave_speed;
   drift_ += step.size * sums.speed;
-  data_.points.moved();
+  carry_points();
   return {.accepted = step.size};
+}
+
+/// Gradients that other physics keep on the points turn and stretch with them.
+template <int Dim>
+void Momentum<Dim>::carry_points() {
+  if (!data_.points.carry_gradients()) {
+    data_.points.moved();
+    return;
+  }
+  const double* gradient = data_.deformation->data();
+  data_.points.template moved<Dim>([gradient](Index row) -> Mat<Dim> {
+    using RowMajor = Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>;
+    return Mat<Dim>::Identity() + Eigen::Map<const RowMajor>(gradient + row * Dim * Dim);
+  });
 }
 
 /// Sort when points may have drifted half a cell: strips stay apart, and cells stay runs of points.
@@ -178,6 +204,9 @@ void Momentum<Dim>::save(Archive& archive) const {
     keep("free_strain", *data_.free_strain);
   }
   data_.order.save(archive, "momentum/strips");
+  if (loads_) {
+    loads_->save(archive, "momentum/loads");
+  }
   const double numbers[] = {flows_.plastic,  flows_.friction, flows_.impact, flows_.transfer,
                             initial_energy_, kinetic_,        speed_,        wave_speed_,
                             drift_,          total_mass_};
@@ -208,6 +237,9 @@ void Momentum<Dim>::load(const Archive& archive) {
     fetch("free_strain", *data_.free_strain);
   }
   data_.order.load(archive, "momentum/strips");
+  if (loads_) {
+    loads_->load(archive, "momentum/loads");
+  }
   double numbers[10];
   archive.read("momentum/account", std::span<double>(numbers));
   flows_.plastic = numbers[0];

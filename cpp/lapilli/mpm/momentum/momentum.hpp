@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "lapilli/mpm/momentum/loads.hpp"
 #include "lapilli/mpm/momentum/momentum_data.hpp"
 #include "lapilli/mpm/momentum/solve_nodes.hpp"
 
@@ -11,7 +12,7 @@ namespace lapilli {
 /// Explicit momentum balance of material points in plane strain (Dim = 2, per metre of depth) or
 /// space. Owns velocity and stress, and moves the points.
 template <int Dim>
-class Momentum : public Physics {
+class Momentum final : public Physics, public HasSurface {
  public:
   /// Throws std::invalid_argument for settings, materials or points out of range.
   Momentum(Points& points, const MomentumProblem<Dim>& problem);
@@ -22,6 +23,7 @@ class Momentum : public Physics {
   void refresh_output() override;
   std::vector<Field> fields() override;
   std::vector<Ledger> ledgers() const override;
+  SurfaceView surface() const override;
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
@@ -52,6 +54,7 @@ class Momentum : public Physics {
 
   void start_affine(const MomentumProblem<Dim>& problem);
   void keep_order(double step);
+  void carry_points();
   void stop_if_broken(const PointSums& sums) const;
   double kinetic_energy() const;
   double potential_energy() const;
@@ -59,6 +62,7 @@ class Momentum : public Physics {
   Vec3 linear_momentum() const;
 
   MomentumData<Dim> data_;
+  std::unique_ptr<Loads<Dim>> loads_;  // null without boundaries
   Flows flows_;
   double total_mass_ = 0.0;
   double initial_energy_ = 0.0, kinetic_ = 0.0;  // J

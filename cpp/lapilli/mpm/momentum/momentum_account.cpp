@@ -1,5 +1,7 @@
 // What momentum stores and shows: energies, momenta, ledgers and fields.
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <iterator>
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/mpm/momentum/momentum.hpp"
@@ -59,7 +61,7 @@ double Momentum<Dim>::kinetic_energy() const {
 
 template <int Dim>
 double Momentum<Dim>::potential_energy() const {
-  const Vec<Dim> gravity = data_.settings.gravity.template head<Dim>();
+  const Vec<Dim> gravity = data_.gravity.template head<Dim>();
   return parallel_sum(data_.points.size(), 0.0, [&](Index row) {
     return -data_.mass[row] * gravity.dot(data_.points.template position<Dim>(row));
   });
@@ -120,6 +122,9 @@ std::vector<Ledger> Momentum<Dim>::ledgers() const {
                   {"wall impact", -flows_.impact},
                   {"transfer", -flows_.transfer}},
                  kinetic_});
+  if (loads_) {
+    std::ranges::copy(loads_->work_entries(), std::back_inserter(all.back().entries));
+  }
   const Vec3 now = linear_momentum();
   for (int axis = 0; axis < Dim; ++axis) {
     all.push_back({momentum_names[axis],
@@ -128,8 +133,16 @@ std::vector<Ledger> Momentum<Dim>::ledgers() const {
                    now[axis],
                    {{"gravity", flows_.gravity[axis]}, {"walls", flows_.walls[axis]}},
                    total_mass_ * speed_});
+    if (loads_) {
+      std::ranges::copy(loads_->impulse_entries(axis), std::back_inserter(all.back().entries));
+    }
   }
   return all;
+}
+
+template <int Dim>
+SurfaceView Momentum<Dim>::surface() const {
+  return loads_ ? loads_->surface() : SurfaceView{};
 }
 
 template <int Dim>
@@ -140,7 +153,8 @@ std::vector<std::pair<std::string, double>> Momentum<Dim>::diagnostics() const {
           {"plastic dissipation", flows_.plastic},
           {"wall friction", flows_.friction},
           {"wall impact", flows_.impact},
-          {"transfer loss", flows_.transfer}};
+          {"transfer loss", flows_.transfer},
+          {"load work", loads_ ? loads_->work() : 0.0}};
 }
 
 template <int Dim>
@@ -179,6 +193,8 @@ template std::vector<Ledger> Momentum<2>::ledgers() const;
 template std::vector<Ledger> Momentum<3>::ledgers() const;
 template std::vector<std::pair<std::string, double>> Momentum<2>::diagnostics() const;
 template std::vector<std::pair<std::string, double>> Momentum<3>::diagnostics() const;
+template SurfaceView Momentum<2>::surface() const;
+template SurfaceView Momentum<3>::surface() const;
 template void Momentum<2>::refresh_output();
 template void Momentum<3>::refresh_output();
 template std::vector<Field> Momentum<2>::fields();

@@ -40,13 +40,15 @@ MomentumData<Dim>::MomentumData(Points& of_points, const MomentumProblem<Dim>& p
     : grid(problem.grid),
       shape(problem.shape),
       settings(problem.settings),
+      walls(walls_of(problem.settings)),
       points(of_points),
       mass(of_points, 1),
       velocity(of_points, Dim),
       stress(of_points, stress_components),
       order(problem.grid, problem.shape == ShapeFunction::linear ? 2 : 3),
       nodes(problem.grid, problem.settings.stress_update) {
-  check(settings);
+  check(settings, Dim);
+  std::copy(settings.gravity.begin(), settings.gravity.end(), gravity.data());
   require(
       settings.transfer != VelocityTransfer::apic || shape != ShapeFunction::linear,
       "momentum.transfer apic needs the shape function gimp or bspline: the moment it divides by "

@@ -7,6 +7,7 @@
 #include "lapilli/mpm/cell_order.hpp"
 #include "lapilli/mpm/momentum/momentum_problem.hpp"
 #include "lapilli/mpm/momentum/stress_update.hpp"
+#include "lapilli/mpm/momentum/walls.hpp"
 
 namespace lapilli {
 
@@ -57,6 +58,8 @@ struct MomentumData {
   Grid<Dim> grid;
   ShapeFunction shape;
   MomentumSettings settings;
+  Vec3 gravity = Vec3::Zero();  // m/s2
+  Walls walls;
   std::vector<double> half_widths;        // by body, cells
   std::vector<StressMaterial> materials;  // by body
   Points& points;

@@ -9,6 +9,7 @@
 #include "lapilli/materials/solid.hpp"
 #include "lapilli/mpm/grid.hpp"
 #include "lapilli/mpm/momentum/momentum_settings.hpp"
+#include "lapilli/mpm/nodal_surface.hpp"
 #include "lapilli/mpm/shape_function.hpp"
 
 namespace lapilli {
@@ -28,6 +29,7 @@ struct MomentumProblem {
   ShapeFunction shape = ShapeFunction::gimp;
   std::vector<MomentumBody> bodies;  // by body number of the points
   MomentumSettings settings;
+  DistanceFunction distance = {};  // signed distance to the union of the bodies; may be empty
 };
 
 }  // namespace lapilli

@@ -1,24 +1,52 @@
 #include "lapilli/mpm/momentum/momentum_settings.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
 
 namespace lapilli {
+namespace {
 
-void check(const MomentumSettings& settings) {
-  require(settings.gravity.allFinite(), "momentum.gravity must be finite (m/s2), got ",
-          settings.gravity.transpose());
+void check_vector(const std::vector<double>& values, int dimension, const char* what) {
+  require(static_cast<int>(values.size()) == dimension, what, " needs ", dimension,
+          " numbers, one an axis, got ", values.size());
+  for (const double value : values) {
+    require(std::isfinite(value), what, " must be finite, got ", value);
+  }
+}
+
+void check_walls(const std::vector<GridWall>& walls, int dimension) {
+  bool taken[6] = {};
+  for (const GridWall& wall : walls) {
+    const GridFace face = std::visit([](const auto& known) { return known.face; }, wall);
+    const int number = static_cast<int>(face);
+    require(number < 2 * dimension, "momentum.walls: the grid has no face ", name_of(face), " in ",
+            dimension, " dimensions");
+    require(!taken[number], "momentum.walls: face ", name_of(face), " has two walls");
+    taken[number] = true;
+    if (const auto* rough = std::get_if<FrictionalWall>(&wall)) {
+      require(std::isfinite(rough->coefficient) && rough->coefficient >= 0.0,
+              "momentum.walls: coefficient must not be negative, got ", rough->coefficient);
+    }
+  }
+}
+
+}  // namespace
+
+void check(const MomentumSettings& settings, int dimension) {
+  if (!settings.gravity.empty()) {
+    check_vector(settings.gravity, dimension, "momentum.gravity");
+  }
   require(settings.pic_share >= 0.0 && settings.pic_share <= 1.0,
           "momentum.pic_share must lie in [0, 1], got ", settings.pic_share);
   require(settings.step_safety > 0.0 && settings.step_safety <= 1.0,
           "momentum.step_safety must lie in (0, 1], got ", settings.step_safety);
-  for (const Wall& wall : settings.walls) {
-    require(std::isfinite(wall.friction) && wall.friction >= 0.0,
-            "wall friction must not be negative, got ", wall.friction);
-    require(wall.friction == 0.0 || wall.kind == WallKind::frictional, "a wall of kind ",
-            name_of(wall.kind), " has no friction coefficient, got ", wall.friction,
-            "; only frictional walls do");
+  check_walls(settings.walls, dimension);
+  for (const MomentumBoundary& law : settings.boundaries) {
+    if (const auto* traction = std::get_if<Traction>(&law)) {
+      check_vector(traction->value, dimension, "momentum.boundaries: the value of a traction");
+    }
   }
 }
 

@@ -1,10 +1,14 @@
 #pragma once
 
-#include <array>
+#include <optional>
+#include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "lapilli/core/describe.hpp"
-#include "lapilli/core/vector.hpp"
+#include "lapilli/core/value.hpp"
+#include "lapilli/geometry/shape.hpp"
 
 namespace lapilli {
 
@@ -35,66 +39,125 @@ struct Names<StressUpdate> {
                                                                     {StressUpdate::musl, "musl"}};
 };
 
-/// How a face of the grid holds the material.
-enum class WallKind {
-  open,       // no wall: a point that passes stops the run
-  no_slip,    // sticks
-  roller,     // slides freely, cannot part
-  frictional  // parts freely, slides with Coulomb friction
-};
+/// A face of the grid.
+enum class GridFace { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };
 
 template <>
-struct Names<WallKind> {
-  static constexpr std::pair<WallKind, const char*> values[] = {
-      {WallKind::open, "open"},
-      {WallKind::no_slip, "no_slip"},
-      {WallKind::roller, "roller"},
-      {WallKind::frictional, "frictional"}};
+struct Names<GridFace> {
+  static constexpr std::pair<GridFace, const char*> values[] = {
+      {GridFace::x_lower, "x_lower"}, {GridFace::x_upper, "x_upper"},
+      {GridFace::y_lower, "y_lower"}, {GridFace::y_upper, "y_upper"},
+      {GridFace::z_lower, "z_lower"}, {GridFace::z_upper, "z_upper"}};
 };
 
-/// One face of the grid.
-struct Wall {
-  WallKind kind = WallKind::open;
-  double friction = 0.0;  // coefficient, of a frictional wall
+/// A face of the grid that the material sticks to.
+struct NoSlipWall {
+  static constexpr const char* kind = "no_slip";
+  GridFace face = GridFace::y_lower;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("kind").text("open, no_slip, roller or frictional"), self.kind);
-    visit(Key("friction").non_negative().text("Coulomb coefficient of a frictional wall"),
-          self.friction);
+    visit(Key("face").required().text("x_lower, x_upper, y_lower, y_upper, z_lower or z_upper"),
+          self.face);
   }
 };
 
-/// Explicit momentum on material points.
-struct MomentumSettings {
-  Vec3 gravity = Vec3::Zero();  // m/s2
-  VelocityTransfer transfer = VelocityTransfer::flip;
-  double pic_share = 0.05;  // of FLIP, in [0, 1]
-  StressUpdate stress_update = StressUpdate::musl;
-  double step_safety = 0.5;        // automatic step over h / (wave speed + point speed), in (0, 1]
-  std::array<Wall, 6> walls = {};  // x lower, x upper, y lower, y upper, z lower, z upper
+/// A face that the material slides along freely and cannot part from.
+struct RollerWall {
+  static constexpr const char* kind = "roller";
+  GridFace face = GridFace::y_lower;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("gravity").unit("m/s2").text("acceleration of every point"), self.gravity);
-    visit(Key("transfer").text("flip, apic or tpic"), self.transfer);
+    NoSlipWall::describe(self, visit);
+  }
+};
+
+/// A face that the material parts from freely and slides along with Coulomb friction.
+struct FrictionalWall {
+  static constexpr const char* kind = "frictional";
+  GridFace face = GridFace::y_lower;
+  double coefficient = 0.0;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    NoSlipWall::describe(self, visit);
+    visit(Key("coefficient").non_negative().text("tangent of the angle of wall friction"),
+          self.coefficient);
+  }
+};
+
+using GridWall = std::variant<NoSlipWall, RollerWall, FrictionalWall>;
+
+/// A pressure on a free surface.
+struct Pressure {
+  static constexpr const char* kind = "pressure";
+  std::string name;
+  Value value;                  // Pa, positive pushes into the body
+  std::optional<Shape> region;  // the surface inside this shape; all that is left when absent
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("name").text("name of the region in ledger and messages"), self.name);
+    visit(Key("value").unit("Pa").required().text("pressure, positive into the body"), self.value);
+    visit(Key("region").text("shape that selects the surface"), self.region);
+  }
+};
+
+/// A force per area of a free surface.
+struct Traction {
+  static constexpr const char* kind = "traction";
+  std::string name;
+  std::vector<double> value;  // Pa, one number an axis
+  Value factor = 1.0;         // multiplies it: constant, tabulated in time or a function
+  std::optional<Shape> region;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("name").text("name of the region in ledger and messages"), self.name);
+    visit(
+        Key("value").unit("Pa").required().length(2, 3).text("force per area, one number an axis"),
+        self.value);
+    visit(Key("factor").text("multiplies it: a number, a table in time or a function"),
+          self.factor);
+    visit(Key("region").text("shape that selects the surface"), self.region);
+  }
+};
+
+using MomentumBoundary = std::variant<Pressure, Traction>;
+
+/// Explicit momentum on material points: the section [momentum] of a scene. Faces of the grid
+/// without a wall are open: a point that passes one stops the run.
+struct MomentumSettings {
+  std::vector<double> gravity;  // m/s2, one number an axis; empty: none
+  VelocityTransfer transfer = VelocityTransfer::flip;
+  double pic_share = 0.05;  // of FLIP, in [0, 1]
+  StressUpdate stress_update = StressUpdate::musl;
+  double step_safety = 0.5;  // automatic step over h / (wave speed + point speed), in (0, 1]
+  std::vector<GridWall> walls;
+  std::vector<MomentumBoundary> boundaries;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("gravity").unit("m/s2").length(0, 3).text("one number an axis; empty: none"),
+          self.gravity);
+    visit(Key("transfer").text("what points and nodes hand each other"), self.transfer);
     visit(Key("pic_share").range(0.0, 1.0).text("share of the nodal velocity in FLIP"),
           self.pic_share);
-    visit(Key("stress_update").text("usl or musl"), self.stress_update);
+    visit(Key("stress_update").text("which nodal velocity strains the points"), self.stress_update);
     visit(Key("step_safety")
               .range(0.0, 1.0, true)
               .text("automatic step over h / (wave speed + point speed)"),
           self.step_safety);
-    static constexpr const char* names[] = {"wall_x_lower", "wall_x_upper", "wall_y_lower",
-                                            "wall_y_upper", "wall_z_lower", "wall_z_upper"};
-    for (std::size_t face = 0; face < 6; ++face) {
-      visit(Key(names[face]).text("how this face of the grid holds the material"),
-            self.walls[face]);
-    }
+    visit(Key("walls").text("faces of the grid that hold the material; others are open"),
+          self.walls);
+    visit(
+        Key("boundaries").text("loads on free surfaces; the first region that covers a place wins"),
+        self.boundaries);
   }
 };
 
 /// Throws std::invalid_argument naming the first setting outside its range.
-void check(const MomentumSettings& settings);
+void check(const MomentumSettings& settings, int dimension);
 
 }  // namespace lapilli

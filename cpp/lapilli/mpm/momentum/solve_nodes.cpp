@@ -31,8 +31,8 @@ void for_each_wall_node(const MomentumData<Dim>& data, double floor, const Body&
   const double* mass = data.nodes.mass();
   for (int axis = 0; axis < Dim; ++axis) {
     for (int side = 0; side < 2; ++side) {
-      const Wall& wall = data.settings.walls[2 * axis + side];
-      if (wall.kind == WallKind::open) {
+      const Wall& wall = data.walls[2 * axis + side];
+      if (wall.is_open()) {
         continue;
       }
       const int padding = Grid<Dim>::padding;
@@ -79,7 +79,7 @@ NodeSums solve_nodes(MomentumData<Dim>& data, double step) {
       double* increment = data.nodes.increment(axis) + first;
       double* strain_velocity = data.nodes.strain_velocity(axis) + first;
       const double* m = mass + first;
-      const double gravity = data.settings.gravity[axis];
+      const double gravity = data.gravity[axis];
       double before = 0.0, after = 0.0;
       for (Index node = begin; node < end; ++node) {
         if (m[node] > floor) {

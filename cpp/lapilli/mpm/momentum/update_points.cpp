@@ -30,8 +30,8 @@ class Mover {
       lower_[axis] = data.grid.lower()[axis] - slack;
       upper_[axis] = data.grid.upper()[axis] + slack;
       const double far = std::numeric_limits<double>::infinity();
-      const bool held_below = data.settings.walls[2 * axis].kind != WallKind::open;
-      const bool held_above = data.settings.walls[2 * axis + 1].kind != WallKind::open;
+      const bool held_below = !data.walls[2 * axis].is_open();
+      const bool held_above = !data.walls[2 * axis + 1].is_open();
       least_[axis] = held_below ? data.grid.lower()[axis] : -far;
       most_[axis] = held_above ? data.grid.upper()[axis] : far;
     }

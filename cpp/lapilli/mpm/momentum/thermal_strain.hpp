@@ -11,12 +11,12 @@ namespace lapilli {
 /// Thermal expansion: hands momentum the free strain alpha dT of what temperature changed since the
 /// step before. Goes between heat and momentum in the list of physics, in scenes that ask for it.
 /// Not modelled: expansion that depends on direction or temperature.
-class ThermalExpansion : public Physics {
+class ThermalStrain : public Physics {
  public:
   /// `temperature` (K) and `free_strain` are arrays of the same points, owned by heat and momentum;
   /// `coefficients` (1/K) by body. Throws std::invalid_argument unless they are finite.
-  ThermalExpansion(Points& points, const PointArray& temperature, PointArray& free_strain,
-                   std::vector<double> coefficients);
+  ThermalStrain(Points& points, const PointArray& temperature, PointArray& free_strain,
+                std::vector<double> coefficients);
 
   std::string name() const override { return "thermal expansion"; }
   StepLimit step_limit() const override { return {}; }

@@ -1,4 +1,4 @@
-#include "lapilli/mpm/momentum/thermal_expansion.hpp"
+#include "lapilli/mpm/momentum/thermal_strain.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace lapilli {
 
-ThermalExpansion::ThermalExpansion(Points& points, const PointArray& temperature,
-                                   PointArray& free_strain, std::vector<double> coefficients)
+ThermalStrain::ThermalStrain(Points& points, const PointArray& temperature, PointArray& free_strain,
+                             std::vector<double> coefficients)
     : points_(points),
       temperature_(temperature),
       free_strain_(free_strain),
@@ -26,7 +26,7 @@ ThermalExpansion::ThermalExpansion(Points& points, const PointArray& temperature
   std::ranges::copy(temperature_.values(), before_.data());
 }
 
-StepReport ThermalExpansion::advance(const Step& step) {
+StepReport ThermalStrain::advance(const Step& step) {
   parallel_for(points_.size(), [&](Index row) {
     const double coefficient = coefficients_[points_.body()[row]];
     free_strain_[row] = coefficient * (temperature_[row] - before_[row]);
@@ -37,11 +37,11 @@ StepReport ThermalExpansion::advance(const Step& step) {
   return report;
 }
 
-void ThermalExpansion::save(Archive& archive) const {
+void ThermalStrain::save(Archive& archive) const {
   archive.write("thermal_expansion/before", before_.values());
 }
 
-void ThermalExpansion::load(const Archive& archive) {
+void ThermalStrain::load(const Archive& archive) {
   archive.read("thermal_expansion/before", before_.values());
 }
 

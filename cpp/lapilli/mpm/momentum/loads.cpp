@@ -1,0 +1,230 @@
+#include "lapilli/mpm/momentum/loads.hpp"
+
+#include <algorithm>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/momentum/cell_sums.hpp"
+
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace lapilli {
+namespace {
+
+const Shape* region_of(const MomentumBoundary& law) {
+  return std::visit([](const auto& l) { return l.region ? &*l.region : nullptr; }, law);
+}
+
+/// sum V S and sum V grad S of the points of one strip.
+template <int Dim, class Shape>
+void project_rows(const MomentumData<Dim>& data, const Stencil<Dim, Shape>& stencil,
+                  double* const (&to)[1 + Dim], Index begin, Index end) {
+  CellSums<Dim, Shape, 1 + Dim> sums(stencil, to);
+  const ShapeOfBody<Shape> shape_of(data.half_widths);
+  const double* position = data.points.position().data();
+  for (Index row = begin; row < end; ++row) {
+    const AxisWeights<Dim, Shape> axes(data.grid, shape_of(data.points.body()[row]),
+                                       position + row * Dim);
+    const QuadWeights<Dim, Shape> w(axes.value, axes.slope);
+    const double volume = data.points.volume()[row];
+    sums.move_to(axes.first);
+    for (int q = 0; q < Stencil<Dim, Shape>::quads; ++q) {
+      sums.sum[0][q] += w.value[q] * volume;
+      for (int axis = 0; axis < Dim; ++axis) {
+        sums.sum[1 + axis][q] += w.slope[axis][q] * volume;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::string name_of_law(const MomentumBoundary& law, std::size_t index) {
+  return std::visit(
+      [&](const auto& l) { return l.name.empty() ? message(l.kind, " ", index + 1) : l.name; },
+      law);
+}
+
+template <int Dim>
+Loads<Dim>::Loads(const MomentumData<Dim>& data, const MomentumProblem<Dim>& problem)
+    : laws_(problem.settings.boundaries),
+      nodes_(laws_.size()),
+      work_(laws_.size(), 0.0),
+      impulse_(laws_.size(), Vec3::Zero()),
+      outside_(data.grid, static_cast<int>(problem.bodies.size())),
+      version_(data.points.version()) {
+  for (const MomentumBoundary& law : laws_) {
+    if (const Shape* region = region_of(law)) {
+      check(*region, Dim);
+    }
+  }
+  outside_.start(data.points, problem.distance);
+  find_surface(data);
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    require(!nodes_[law].node.empty(), "momentum.boundaries.", law, " (",
+            name_of_law(laws_[law], law), ") selects no surface: ",
+            region_of(laws_[law]) != nullptr ? "its region covers none that an earlier law left"
+                                             : "earlier laws left none");
+  }
+}
+
+template <int Dim>
+void Loads<Dim>::project_surface(const MomentumData<Dim>& data) {
+  const auto size = static_cast<std::size_t>(data.grid.node_count() + 4);
+  sums_.fraction.assign(size, 0.0);
+  sums_.area_vector.resize(size);
+  double* to[1 + Dim] = {sums_.fraction.data()};
+  for (int axis = 0; axis < Dim; ++axis) {
+    scratch_[axis].assign(size, 0.0);
+    to[1 + axis] = scratch_[axis].data();
+  }
+  with_transfer(data.shape, VelocityTransfer::flip, [&]<class Shape, VelocityTransfer>() {
+    const Stencil<Dim, Shape> stencil(data.grid);
+    data.order.for_each_strip(
+        [&](Index begin, Index end) { project_rows<Dim, Shape>(data, stencil, to, begin, end); });
+  });
+  const double per_cell = 1.0 / data.grid.cell_volume();
+  parallel_for(static_cast<Index>(size), [&](Index node) {
+    sums_.fraction[node] *= per_cell;
+    for (int axis = 0; axis < Dim; ++axis) {
+      sums_.area_vector[node][axis] = scratch_[axis][node];
+    }
+  });
+}
+
+template <int Dim>
+void Loads<Dim>::find_surface(const MomentumData<Dim>& data) {
+  project_surface(data);
+  if (data.points.version() != version_) {
+    outside_.follow(data.points);
+    version_ = data.points.version();
+  }
+  const NodalAreas<Dim> areas = nodal_normal_areas(
+      data.grid, sums_, surface_nodes(data.grid, outside_.flags(), sums_.fraction), 2, true);
+  for (Nodes& nodes : nodes_) {
+    nodes = {};
+  }
+  const double slack = 0.25 * data.grid.cell_size();
+  for (std::size_t k = 0; k < areas.node.size(); ++k) {
+    for (std::size_t law = 0; law < laws_.size(); ++law) {
+      const Shape* region = region_of(laws_[law]);
+      if (region == nullptr || covers(*region, areas.position[k], slack)) {
+        Nodes& nodes = nodes_[law];
+        nodes.node.push_back(areas.node[k]);
+        nodes.area_vector.push_back(sums_.area_vector[areas.node[k]]);
+        nodes.area.push_back(areas.area[k]);
+        nodes.normal.push_back(areas.normal[k]);
+        nodes.position.push_back(areas.position[k]);
+        break;
+      }
+    }
+  }
+  for (Nodes& nodes : nodes_) {
+    nodes.value.resize(nodes.node.size());
+    nodes.force.resize(nodes.node.size());
+  }
+}
+
+template <int Dim>
+void Loads<Dim>::add_forces(MomentumData<Dim>& data, double time) {
+  find_surface(data);
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    Nodes& n = nodes_[law];
+    const auto* traction = std::get_if<Traction>(&laws_[law]);
+    const Value& value =
+        traction != nullptr ? traction->factor : std::get<Pressure>(laws_[law]).value;
+    value.evaluate(n.position, {}, time, n.value);
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      if (traction != nullptr) {
+        n.force[k] = n.area[k] * n.value[k] * Eigen::Map<const Vec<Dim>>(traction->value.data());
+      } else {
+        n.force[k] = -n.value[k] * n.area_vector[k];
+      }
+      for (int axis = 0; axis < Dim; ++axis) {
+        data.nodes.increment(axis)[n.node[k]] += n.force[k][axis];
+      }
+    }
+  }
+}
+
+template <int Dim>
+void Loads<Dim>::book(const MomentumData<Dim>& data, double step) {
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    const Nodes& n = nodes_[law];
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      for (int axis = 0; axis < Dim; ++axis) {
+        const double middle =
+            data.nodes.velocity(axis)[n.node[k]] - 0.5 * data.nodes.increment(axis)[n.node[k]];
+        work_[law] += step * n.force[k][axis] * middle;
+        impulse_[law][axis] += step * n.force[k][axis];
+      }
+    }
+  }
+}
+
+template <int Dim>
+double Loads<Dim>::work() const {
+  double sum = 0.0;
+  for (const double work : work_) {
+    sum += work;
+  }
+  return sum;
+}
+
+template <int Dim>
+std::vector<Ledger::Entry> Loads<Dim>::work_entries() const {
+  std::vector<Ledger::Entry> entries;
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    entries.push_back({name_of_law(laws_[law], law), work_[law]});
+  }
+  return entries;
+}
+
+template <int Dim>
+std::vector<Ledger::Entry> Loads<Dim>::impulse_entries(int axis) const {
+  std::vector<Ledger::Entry> entries;
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    entries.push_back({name_of_law(laws_[law], law), impulse_[law][axis]});
+  }
+  return entries;
+}
+
+template <int Dim>
+SurfaceView Loads<Dim>::surface() const {
+  SurfaceView view;
+  view.dimension = Dim;
+  for (const Nodes& n : nodes_) {
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      view.position.insert(view.position.end(), n.position[k].data(), n.position[k].data() + Dim);
+      view.normal.insert(view.normal.end(), n.normal[k].data(), n.normal[k].data() + Dim);
+      view.area.push_back(n.area[k]);
+    }
+  }
+  return view;
+}
+
+template <int Dim>
+void Loads<Dim>::save(Archive& archive, const std::string& name) const {
+  archive.write(name + "/work", work_);
+  std::vector<double> impulse;
+  for (const Vec3& of_law : impulse_) {
+    impulse.insert(impulse.end(), of_law.data(), of_law.data() + 3);
+  }
+  archive.write(name + "/impulse", impulse);
+  outside_.save(archive, name + "/outside");
+}
+
+template <int Dim>
+void Loads<Dim>::load(const Archive& archive, const std::string& name) {
+  archive.read(name + "/work", std::span<double>(work_));
+  std::vector<double> impulse(3 * impulse_.size());
+  archive.read(name + "/impulse", std::span<double>(impulse));
+  for (std::size_t law = 0; law < impulse_.size(); ++law) {
+    impulse_[law] = Eigen::Map<const Vec3>(impulse.data() + 3 * law);
+  }
+  outside_.load(archive, name + "/outside");
+}
+
+template class Loads<2>;
+template class Loads<3>;
+
+}  // namespace lapilli
