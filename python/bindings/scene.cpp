@@ -112,6 +112,9 @@ void bind_scene(py::module_& module) {
   bind_struct<Rotation>(module, "Rotation", "A body turned at constant speed.");
   bind_struct<Translation>(module, "Translation", "A body moved at constant velocity.");
   bind_struct<Swirl>(module, "Swirl", "Circles that turn at their own speeds.");
+  bind_struct<GeostaticStress>(module, "Geostatic",
+                               "The stress of a body that rests below an even free surface, level "
+                               "or inclined.");
   bind_struct<Body>(module, "Body",
                     "A body: where its points come from (one of shape, points_file, points), "
                     "what it is made of, how it starts and how it is moved.");
@@ -128,9 +131,6 @@ void bind_scene(py::module_& module) {
   bind_struct<GridSettings>(module, "Grid",
                             "The background grid; its corners give the dimension of the scene.");
   bind_struct<TimeSettings>(module, "Time", "When the run ends and how its steps are chosen.");
-  bind_struct<GeostaticStress>(module, "Geostatic",
-                               "The stress of a body that rests below an even free surface, level "
-                               "or inclined.");
   bind_struct<Monitor>(module, "Monitor", "A material point whose history is asked for.");
   bind_struct<OutputSettings>(module, "Output", "What a run leaves on disk.");
   auto scene =

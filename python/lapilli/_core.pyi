@@ -6,7 +6,7 @@ import collections.abc
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'FluidWall', 'Flux', 'Grid', 'HalfSpace', 'Heat', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'Newtonian', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'Points', 'Polygon', 'Progress', 'QuasiStatic', 'Radiation', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'Time', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
+__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'Flux', 'FrictionalWall', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'MohrCoulomb', 'Momentum', 'Monitor', 'NoSlipWall', 'Output', 'OutputError', 'PlasticHeating', 'Points', 'Polygon', 'Pressure', 'Progress', 'QuasiStatic', 'Radiation', 'RollerWall', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -840,6 +840,156 @@ class Elastic:
     @youngs_modulus.setter
     def youngs_modulus(self, value: float) -> None:
         ...
+class MohrCoulomb:
+    """
+    Elastic, perfectly plastic soil with friction, dilation, cohesion and a tension cut-off.
+    
+    Parameters
+    ----------
+    density : float, kg/m3, required
+        mass per undeformed volume; above 0 (kg/m3)
+    youngs_modulus : float, Pa, required
+        stiffness in tension; above 0 (Pa)
+    poissons_ratio : float, default 0.0
+        lateral contraction, in (-1, 0.5); above -1 and at most 0.5
+    friction : float, degree, required
+        friction angle; from 0 to 89.999 (degree)
+    dilation : float, degree, default 0.0
+        dilation angle, at most the friction angle; from 0 to 89.999 (degree)
+    cohesion : float, Pa, default 0.0
+        shear strength without pressure; at least 0 (Pa)
+    tension_cutoff : float, Pa, default inf
+        largest principal stress; the apex of the cone where it is lower; at least 0 (Pa)
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, density: float, youngs_modulus: float, poissons_ratio: float = ..., friction: float, dilation: float = ..., cohesion: float = ..., tension_cutoff: float = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def cohesion(self) -> float:
+        """
+        shear strength without pressure, Pa
+        """
+    @cohesion.setter
+    def cohesion(self, value: float) -> None:
+        ...
+    @property
+    def density(self) -> float:
+        """
+        mass per undeformed volume, kg/m3
+        """
+    @density.setter
+    def density(self, value: float) -> None:
+        ...
+    @property
+    def dilation(self) -> float:
+        """
+        dilation angle, at most the friction angle, degree
+        """
+    @dilation.setter
+    def dilation(self, value: float) -> None:
+        ...
+    @property
+    def friction(self) -> float:
+        """
+        friction angle, degree
+        """
+    @friction.setter
+    def friction(self, value: float) -> None:
+        ...
+    @property
+    def poissons_ratio(self) -> float:
+        """
+        lateral contraction, in (-1, 0.5)
+        """
+    @poissons_ratio.setter
+    def poissons_ratio(self, value: float) -> None:
+        ...
+    @property
+    def tension_cutoff(self) -> float:
+        """
+        largest principal stress; the apex of the cone where it is lower, Pa
+        """
+    @tension_cutoff.setter
+    def tension_cutoff(self, value: float) -> None:
+        ...
+    @property
+    def youngs_modulus(self) -> float:
+        """
+        stiffness in tension, Pa
+        """
+    @youngs_modulus.setter
+    def youngs_modulus(self, value: float) -> None:
+        ...
+class ThermalExpansion:
+    """
+    Isotropic expansion with temperature, beside a solid and a thermal material.
+    
+    Parameters
+    ----------
+    coefficient : float, 1/K, required
+        relative change of length per kelvin
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, coefficient: float) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def coefficient(self) -> float:
+        """
+        relative change of length per kelvin, 1/K
+        """
+    @coefficient.setter
+    def coefficient(self, value: float) -> None:
+        ...
+class PlasticHeating:
+    """
+    Heat released by plastic work, beside a solid and a thermal material.
+    
+    Parameters
+    ----------
+    share : float, default 0.9
+        share of the plastic work that becomes heat; from 0 to 1
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, share: float = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def share(self) -> float:
+        """
+        share of the plastic work that becomes heat
+        """
+    @share.setter
+    def share(self, value: float) -> None:
+        ...
 class Flux:
     """
     A prescribed flux, positive into the body.
@@ -1209,6 +1359,306 @@ class Heat:
         """
     @transfer.setter
     def transfer(self, value: typing.Literal['auto', 'kept', 'affine', 'flip', 'pic', 'tpic']) -> None:
+        ...
+class NoSlipWall:
+    """
+    A face of the grid that the material sticks to.
+    
+    Parameters
+    ----------
+    face : typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper'], required
+        x_lower, x_upper, y_lower, y_upper, z_lower or z_upper
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, face: typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper']) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def face(self) -> typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper']:
+        """
+        x_lower, x_upper, y_lower, y_upper, z_lower or z_upper
+        """
+    @face.setter
+    def face(self, value: typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper']) -> None:
+        ...
+class RollerWall:
+    """
+    A face of the grid that the material slides along and cannot part from.
+    
+    Parameters
+    ----------
+    face : typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper'], required
+        x_lower, x_upper, y_lower, y_upper, z_lower or z_upper
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, face: typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper']) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def face(self) -> typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper']:
+        """
+        x_lower, x_upper, y_lower, y_upper, z_lower or z_upper
+        """
+    @face.setter
+    def face(self, value: typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper']) -> None:
+        ...
+class FrictionalWall:
+    """
+    A face of the grid that the material parts from freely and slides along with Coulomb friction.
+    
+    Parameters
+    ----------
+    face : typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper'], required
+        x_lower, x_upper, y_lower, y_upper, z_lower or z_upper
+    coefficient : float, default 0.0
+        tangent of the angle of wall friction; at least 0
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, face: typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper'], coefficient: float = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def coefficient(self) -> float:
+        """
+        tangent of the angle of wall friction
+        """
+    @coefficient.setter
+    def coefficient(self, value: float) -> None:
+        ...
+    @property
+    def face(self) -> typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper']:
+        """
+        x_lower, x_upper, y_lower, y_upper, z_lower or z_upper
+        """
+    @face.setter
+    def face(self, value: typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper']) -> None:
+        ...
+class Pressure:
+    """
+    A pressure on a free surface.
+    
+    Parameters
+    ----------
+    name : str, default ''
+        name of the region in ledger and messages
+    value : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], Pa, required
+        pressure, positive into the body
+    region : Shape | None, default None
+        shape that selects the surface
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, name: str = ..., value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], region: Shape | None = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        name of the region in ledger and messages
+        """
+    @name.setter
+    def name(self, value: str) -> None:
+        ...
+    @property
+    def region(self) -> Shape | None:
+        """
+        shape that selects the surface
+        """
+    @region.setter
+    def region(self, value: Shape | None) -> None:
+        ...
+    @property
+    def value(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        pressure, positive into the body, Pa
+        """
+    @value.setter
+    def value(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+class Traction:
+    """
+    A force per area of a free surface.
+    
+    Parameters
+    ----------
+    name : str, default ''
+        name of the region in ledger and messages
+    value : collections.abc.Sequence[float], Pa, required
+        force per area, one number an axis
+    factor : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], default 1.0
+        multiplies it: a number, a table in time or a function
+    region : Shape | None, default None
+        shape that selects the surface
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, name: str = ..., value: collections.abc.Sequence[float], factor: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., region: Shape | None = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def factor(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        multiplies it: a number, a table in time or a function
+        """
+    @factor.setter
+    def factor(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        name of the region in ledger and messages
+        """
+    @name.setter
+    def name(self, value: str) -> None:
+        ...
+    @property
+    def region(self) -> Shape | None:
+        """
+        shape that selects the surface
+        """
+    @region.setter
+    def region(self, value: Shape | None) -> None:
+        ...
+    @property
+    def value(self) -> collections.abc.Sequence[float]:
+        """
+        force per area, one number an axis, Pa
+        """
+    @value.setter
+    def value(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+class Momentum:
+    """
+    Explicit momentum: the section [momentum] of a scene.
+    
+    Parameters
+    ----------
+    gravity : collections.abc.Sequence[float], m/s2, default ()
+        one number an axis; empty: none
+    transfer : typing.Literal['flip', 'apic', 'tpic'], default 'flip'
+        what points and nodes hand each other
+    pic_share : float, default 0.05
+        share of the nodal velocity in FLIP; from 0 to 1
+    stress_update : typing.Literal['usl', 'musl'], default 'musl'
+        which nodal velocity strains the points
+    step_safety : float, default 0.5
+        automatic step over h / (wave speed + point speed); above 0 and at most 1
+    walls : list[NoSlipWall | RollerWall | FrictionalWall], default []
+        faces of the grid that hold the material; others are open
+    boundaries : list[Pressure | Traction], default []
+        loads on free surfaces; the first region that covers a place wins
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., transfer: typing.Literal['flip', 'apic', 'tpic'] = ..., pic_share: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., step_safety: float = ..., walls: list[NoSlipWall | RollerWall | FrictionalWall] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def boundaries(self) -> list[Pressure | Traction]:
+        """
+        loads on free surfaces; the first region that covers a place wins
+        """
+    @boundaries.setter
+    def boundaries(self, value: list[Pressure | Traction]) -> None:
+        ...
+    @property
+    def gravity(self) -> collections.abc.Sequence[float]:
+        """
+        one number an axis; empty: none, m/s2
+        """
+    @gravity.setter
+    def gravity(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def pic_share(self) -> float:
+        """
+        share of the nodal velocity in FLIP
+        """
+    @pic_share.setter
+    def pic_share(self, value: float) -> None:
+        ...
+    @property
+    def step_safety(self) -> float:
+        """
+        automatic step over h / (wave speed + point speed)
+        """
+    @step_safety.setter
+    def step_safety(self, value: float) -> None:
+        ...
+    @property
+    def stress_update(self) -> typing.Literal['usl', 'musl']:
+        """
+        which nodal velocity strains the points
+        """
+    @stress_update.setter
+    def stress_update(self, value: typing.Literal['usl', 'musl']) -> None:
+        ...
+    @property
+    def transfer(self) -> typing.Literal['flip', 'apic', 'tpic']:
+        """
+        what points and nodes hand each other
+        """
+    @transfer.setter
+    def transfer(self, value: typing.Literal['flip', 'apic', 'tpic']) -> None:
+        ...
+    @property
+    def walls(self) -> list[NoSlipWall | RollerWall | FrictionalWall]:
+        """
+        faces of the grid that hold the material; others are open
+        """
+    @walls.setter
+    def walls(self, value: list[NoSlipWall | RollerWall | FrictionalWall]) -> None:
         ...
 class ImplicitWall:
     """
@@ -1719,6 +2169,56 @@ class Swirl:
     @shear.setter
     def shear(self, value: float) -> None:
         ...
+class Geostatic:
+    """
+    The stress of a body that rests below an even free surface, level or inclined.
+    
+    Parameters
+    ----------
+    surface : collections.abc.Sequence[float], m, required
+        a place on the free surface
+    normal : collections.abc.Sequence[float], default ()
+        outward normal of the surface; empty: against gravity
+    lateral : float, default 0.5
+        stress along the surface over the one across it; at least 0
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, surface: collections.abc.Sequence[float], normal: collections.abc.Sequence[float] = ..., lateral: float = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def lateral(self) -> float:
+        """
+        stress along the surface over the one across it
+        """
+    @lateral.setter
+    def lateral(self, value: float) -> None:
+        ...
+    @property
+    def normal(self) -> collections.abc.Sequence[float]:
+        """
+        outward normal of the surface; empty: against gravity
+        """
+    @normal.setter
+    def normal(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def surface(self) -> collections.abc.Sequence[float]:
+        """
+        a place on the free surface, m
+        """
+    @surface.setter
+    def surface(self, value: collections.abc.Sequence[float]) -> None:
+        ...
 class Body:
     """
     A body: where its points come from (one of shape, points_file, points), what it is made of, how it starts and how it is moved.
@@ -1751,7 +2251,7 @@ class Body:
         direction that stays, in three dimensions
     translation : collections.abc.Sequence[float], m, default ()
         displacement after the turn
-    material : list[Thermal | Elastic | Newtonian], required
+    material : list[Thermal | Elastic | MohrCoulomb | ThermalExpansion | PlasticHeating], required
         what it is made of: one material, or one for each physics
     temperature : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, default 0.0
         temperature at the start
@@ -1759,6 +2259,8 @@ class Body:
         heat released in its volume
     velocity : collections.abc.Sequence[float], m/s, default ()
         velocity at the start
+    geostatic : Geostatic | None, default None
+        stress at the start, of a body at rest; absent: none
     motion : Rotation | Translation | Swirl | None, default None
         prescribed motion
     """
@@ -1767,7 +2269,7 @@ class Body:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., clip: bool = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Elastic | Newtonian], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
+    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., clip: bool = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Elastic | MohrCoulomb | ThermalExpansion | PlasticHeating], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., geostatic: Geostatic | None = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -1784,6 +2286,14 @@ class Body:
     def clip(self, value: bool) -> None:
         ...
     @property
+    def geostatic(self) -> Geostatic | None:
+        """
+        stress at the start, of a body at rest; absent: none
+        """
+    @geostatic.setter
+    def geostatic(self, value: Geostatic | None) -> None:
+        ...
+    @property
     def jitter(self) -> float:
         """
         random displacement, in spacings of the points
@@ -1792,12 +2302,12 @@ class Body:
     def jitter(self, value: float) -> None:
         ...
     @property
-    def material(self) -> list[Thermal | Elastic | Newtonian]:
+    def material(self) -> list[Thermal | Elastic | MohrCoulomb | ThermalExpansion | PlasticHeating]:
         """
         what it is made of: one material, or one for each physics
         """
     @material.setter
-    def material(self, value: list[Thermal | Elastic | Newtonian]) -> None:
+    def material(self, value: list[Thermal | Elastic | MohrCoulomb | ThermalExpansion | PlasticHeating]) -> None:
         ...
     @property
     def motion(self) -> Rotation | Translation | Swirl | None:
@@ -2469,6 +2979,46 @@ class Time:
     @steps.setter
     def steps(self, value: int | None) -> None:
         ...
+class Monitor:
+    """
+    A material point whose history is asked for.
+    
+    Parameters
+    ----------
+    name : str, required
+        name of the point in results
+    position : collections.abc.Sequence[float], m, required
+        where it is at the start
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, name: str, position: collections.abc.Sequence[float]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        name of the point in results
+        """
+    @name.setter
+    def name(self, value: str) -> None:
+        ...
+    @property
+    def position(self) -> collections.abc.Sequence[float]:
+        """
+        where it is at the start, m
+        """
+    @position.setter
+    def position(self, value: collections.abc.Sequence[float]) -> None:
+        ...
 class Output:
     """
     What a run leaves on disk.
@@ -2553,6 +3103,8 @@ class Scene:
         bodies
     heat : Heat | None, default None
         heat conduction; absent: not modelled
+    momentum : Momentum | None, default None
+        explicit momentum; absent: not modelled
     quasi_static : QuasiStatic | None, default None
         equilibrium under load steps; absent: not modelled
     peridynamics : Peridynamics | None, default None
@@ -2561,6 +3113,8 @@ class Scene:
         end and steps
     output : Output, default Output()
         frames and checkpoints
+    monitors : list[Monitor], default []
+        material points whose history is asked for
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
     @staticmethod
@@ -2577,7 +3131,7 @@ class Scene:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, title: str = ..., grid: Grid, bodies: list[Body], heat: Heat | None = ..., quasi_static: QuasiStatic | None = ..., peridynamics: Peridynamics | None = ..., time: Time, output: Output = ...) -> None:
+    def __init__(self, *, title: str = ..., grid: Grid, bodies: list[Body], heat: Heat | None = ..., momentum: Momentum | None = ..., quasi_static: QuasiStatic | None = ..., time: Time, output: Output = ..., monitors: list[Monitor] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -2624,6 +3178,22 @@ class Scene:
         """
     @heat.setter
     def heat(self, value: Heat | None) -> None:
+        ...
+    @property
+    def momentum(self) -> Momentum | None:
+        """
+        explicit momentum; absent: not modelled
+        """
+    @momentum.setter
+    def momentum(self, value: Momentum | None) -> None:
+        ...
+    @property
+    def monitors(self) -> list[Monitor]:
+        """
+        material points whose history is asked for
+        """
+    @monitors.setter
+    def monitors(self, value: list[Monitor]) -> None:
         ...
     @property
     def output(self) -> Output:

@@ -44,7 +44,8 @@ std::string allowed_range(const Key& key) {
 }
 
 void check_range(const Key& key, double value, std::string_view where) {
-  const bool inside = std::isfinite(value) && (key.open ? value > key.least : value >= key.least) &&
+  const bool usable = std::isfinite(value) || (key.infinity_allowed && std::isinf(value));
+  const bool inside = usable && (key.open ? value > key.least : value >= key.least) &&
                       value <= key.most;
   if (!inside) {
     const std::string range = allowed_range(key);

@@ -18,6 +18,8 @@ MODULES: dict[str, str] = {
     "pd/cavity": "lapilli.reproduce.pd.cavity",
     "pd/benard": "lapilli.reproduce.pd.benard",
     "pd/thermals": "lapilli.reproduce.pd.thermals",
+    "vhfm/column": "lapilli.reproduce.vhfm.column",
+    "soil/collapse": "lapilli.reproduce.soil.collapse",
     "ib/block": "lapilli.reproduce.ib.block",
 }
 

@@ -16,7 +16,7 @@ Momentum<Dim>::Momentum(Points& points, const MomentumProblem<Dim>& problem)
   start_affine(problem);
   data_.order.update(points);
   if (!problem.settings.boundaries.empty()) {
-    loads_ = std::make_unique<Loads<Dim>>(data_, problem);
+    loads_ = std::make_unique<SurfaceLoads<Dim>>(data_, problem);
   }
   ordering_ = points.ordering();
   for (Index row = 0; row < points.size(); ++row) {
@@ -42,6 +42,7 @@ StepReport Momentum<Dim>::advance(const Step& step) {
     loads_->add_forces(data_, step.time);
   }
   const NodeSums nodes = solve_nodes(data_, step.size);
+  const double load_work = loads_ ? loads_->work() : 0.0;
   if (loads_) {
     loads_->book(data_, step.size);
   }
@@ -59,6 +60,8 @@ StepReport Momentum<Dim>::advance(const Step& step) {
   flows_.friction -= nodes.friction;
   flows_.impact -= nodes.impact;
   flows_.transfer += (kinetic_ - nodes.kinetic_before) + (nodes.kinetic_after - sums.kinetic);
+  const double internal_work = nodes.force_work - (loads_ ? loads_->work() - load_work : 0.0);
+  flows_.strain -= internal_work + sums.strain_work;
   flows_.gravity += step.size * total_mass_ * data_.gravity;
   flows_.walls += nodes.wall_impulse;
   kinetic_ = sums.kinetic;
@@ -207,9 +210,9 @@ void Momentum<Dim>::save(Archive& archive) const {
   if (loads_) {
     loads_->save(archive, "momentum/loads");
   }
-  const double numbers[] = {flows_.plastic,  flows_.friction, flows_.impact, flows_.transfer,
-                            initial_energy_, kinetic_,        speed_,        wave_speed_,
-                            drift_,          total_mass_};
+  const double numbers[] = {flows_.plastic,  flows_.friction, flows_.strain, flows_.impact,
+                            flows_.transfer, initial_energy_, kinetic_,      speed_,
+                            wave_speed_,     drift_,          total_mass_};
   archive.write("momentum/account", std::span<const double>(numbers));
   archive.write("momentum/impulse/gravity", std::span<const double>(flows_.gravity.data(), 3));
   archive.write("momentum/impulse/walls", std::span<const double>(flows_.walls.data(), 3));
@@ -240,18 +243,19 @@ void Momentum<Dim>::load(const Archive& archive) {
   if (loads_) {
     loads_->load(archive, "momentum/loads");
   }
-  double numbers[10];
+  double numbers[11];
   archive.read("momentum/account", std::span<double>(numbers));
   flows_.plastic = numbers[0];
   flows_.friction = numbers[1];
-  flows_.impact = numbers[2];
-  flows_.transfer = numbers[3];
-  initial_energy_ = numbers[4];
-  kinetic_ = numbers[5];
-  speed_ = numbers[6];
-  wave_speed_ = numbers[7];
-  drift_ = numbers[8];
-  total_mass_ = numbers[9];
+  flows_.strain = numbers[2];
+  flows_.impact = numbers[3];
+  flows_.transfer = numbers[4];
+  initial_energy_ = numbers[5];
+  kinetic_ = numbers[6];
+  speed_ = numbers[7];
+  wave_speed_ = numbers[8];
+  drift_ = numbers[9];
+  total_mass_ = numbers[10];
   archive.read("momentum/impulse/gravity", std::span<double>(flows_.gravity.data(), 3));
   archive.read("momentum/impulse/walls", std::span<double>(flows_.walls.data(), 3));
   archive.read("momentum/impulse/initial", std::span<double>(initial_momentum_.data(), 3));

@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "lapilli/mpm/momentum/loads.hpp"
 #include "lapilli/mpm/momentum/momentum_data.hpp"
 #include "lapilli/mpm/momentum/solve_nodes.hpp"
+#include "lapilli/mpm/momentum/surface_loads.hpp"
 
 namespace lapilli {
 
@@ -49,7 +49,8 @@ class Momentum final : public Physics, public HasSurface {
   /// Everything that has passed through an account since the start.
   struct Flows {
     double plastic = 0.0, friction = 0.0, impact = 0.0, transfer = 0.0;  // J, taken out
-    Vec3 gravity = Vec3::Zero(), walls = Vec3::Zero();                   // N s, given
+    double strain = 0.0;  // J, taken from the nodes and not given to the points
+    Vec3 gravity = Vec3::Zero(), walls = Vec3::Zero();  // N s, given
   };
 
   void start_affine(const MomentumProblem<Dim>& problem);
@@ -62,7 +63,7 @@ class Momentum final : public Physics, public HasSurface {
   Vec3 linear_momentum() const;
 
   MomentumData<Dim> data_;
-  std::unique_ptr<Loads<Dim>> loads_;  // null without boundaries
+  std::unique_ptr<SurfaceLoads<Dim>> loads_;  // null without boundaries
   Flows flows_;
   double total_mass_ = 0.0;
   double initial_energy_ = 0.0, kinetic_ = 0.0;  // J

@@ -120,7 +120,8 @@ std::vector<Ledger> Momentum<Dim>::ledgers() const {
                  {{"plastic", -flows_.plastic},
                   {"wall friction", -flows_.friction},
                   {"wall impact", -flows_.impact},
-                  {"transfer", -flows_.transfer}},
+                  {"transfer", -flows_.transfer},
+                  {"strain transfer", -flows_.strain}},
                  kinetic_});
   if (loads_) {
     std::ranges::copy(loads_->work_entries(), std::back_inserter(all.back().entries));
@@ -154,6 +155,7 @@ std::vector<std::pair<std::string, double>> Momentum<Dim>::diagnostics() const {
           {"wall friction", flows_.friction},
           {"wall impact", flows_.impact},
           {"transfer loss", flows_.transfer},
+          {"strain transfer loss", flows_.strain},
           {"load work", loads_ ? loads_->work() : 0.0}};
 }
 

@@ -91,6 +91,7 @@ MomentumData<Dim>::MomentumData(Points& of_points, const MomentumProblem<Dim>& p
 PointSums& PointSums::operator+=(const PointSums& other) {
   kinetic += other.kinetic;
   plastic += other.plastic;
+  strain_work += other.strain_work;
   speed = std::max(speed, other.speed);
   wave_speed = std::max(wave_speed, other.wave_speed);
   least_volume = std::min(least_volume, other.least_volume);

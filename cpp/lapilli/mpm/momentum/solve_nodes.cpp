@@ -59,6 +59,7 @@ void for_each_wall_node(const MomentumData<Dim>& data, double floor, const Body&
 NodeSums& NodeSums::operator+=(const NodeSums& other) {
   kinetic_before += other.kinetic_before;
   kinetic_after += other.kinetic_after;
+  force_work += other.force_work;
   friction += other.friction;
   impact += other.impact;
   wall_impulse += other.wall_impulse;
@@ -80,7 +81,7 @@ NodeSums solve_nodes(MomentumData<Dim>& data, double step) {
       double* strain_velocity = data.nodes.strain_velocity(axis) + first;
       const double* m = mass + first;
       const double gravity = data.gravity[axis];
-      double before = 0.0, after = 0.0;
+      double before = 0.0, after = 0.0, work = 0.0;
       for (Index node = begin; node < end; ++node) {
         if (m[node] > floor) {
           const double inverse = 1.0 / m[node];
@@ -89,6 +90,7 @@ NodeSums solve_nodes(MomentumData<Dim>& data, double step) {
           const double change = internal + step * gravity;
           before += m[node] * old * old;
           after += m[node] * (old + change) * (old + change);
+          work += m[node] * internal * (old + 0.5 * change);
           velocity[node] = old + change;
           increment[node] = change;
           strain_velocity[node] = old + step * gravity + internal * std::min(1.0, m[node] / light);
@@ -98,6 +100,7 @@ NodeSums solve_nodes(MomentumData<Dim>& data, double step) {
       }
       sums.kinetic_before += 0.5 * before;
       sums.kinetic_after += 0.5 * after;
+      sums.force_work += work;
     }
   });
   NodeSums total;
@@ -118,6 +121,8 @@ NodeSums solve_nodes(MomentumData<Dim>& data, double step) {
     const Vec<Dim> middle = 0.5 * (held + velocity - change);
     const double across = impulse[normal] * middle[normal];
     total.impact += across;
+    const Vec<Dim> force = mass[node] * (change - step * data.gravity.template head<Dim>());
+    total.force_work += 0.5 * force.dot(held - velocity);
     total.friction += impulse.dot(middle) - across;
     total.kinetic_after += 0.5 * mass[node] * (held.squaredNorm() - velocity.squaredNorm());
     for (int axis = 0; axis < Dim; ++axis) {

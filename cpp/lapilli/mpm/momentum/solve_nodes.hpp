@@ -8,6 +8,7 @@ namespace lapilli {
 struct NodeSums {
   double kinetic_before = 0.0;       // J, of the projected momentum
   double kinetic_after = 0.0;        // J
+  double force_work = 0.0;           // J done by the nodal forces, walls and gravity left out
   double friction = 0.0;             // J done by walls along themselves (negative)
   double impact = 0.0;               // J done by walls across themselves
   Vec3 wall_impulse = Vec3::Zero();  // N s given by walls

@@ -31,31 +31,35 @@ void store_rows(double* to, int stride, Quad value) {
 
 /// Running sum, least and largest of rows, in a fixed order.
 struct Lanes {
-  Quad plastic = all(0.0), least = all(1.0), largest = all(0.0);
+  Quad plastic = all(0.0), strain = all(0.0), least = all(1.0), largest = all(0.0);
 
-  void add(Quad work, Quad volume, Quad ratio) {
+  void add(Quad work, Quad strain_work, Quad volume, Quad ratio) {
     plastic += work;
+    strain += strain_work;
     least = volume < least ? volume : least;
     largest = ratio > largest ? ratio : largest;
   }
-  void add(double work, double volume, double ratio) {
+  void add(double work, double strain_work, double volume, double ratio) {
     plastic[0] += work;
+    strain[0] += strain_work;
     least[0] = std::min(volume, least[0]);
     largest[0] = std::max(ratio, largest[0]);
   }
   StressSums total() const {
     StressSums sums;
     sums.plastic = (plastic[0] + plastic[1]) + (plastic[2] + plastic[3]);
+    sums.strain_work = (strain[0] + strain[1]) + (strain[2] + strain[3]);
     sums.least_volume = std::min({least[0], least[1], least[2], least[3]});
     sums.wave_ratio = std::max({largest[0], largest[1], largest[2], largest[3]});
     return sums;
   }
 };
 
-/// Turned stress plus the elastic stress of the step.
+/// Turned stress plus the elastic stress of the step. `strain` takes what its double contraction
+/// with a stress needs: shear twice.
 template <class Real>
 Real deform(const StressMaterial& m, const DeformationBlock<2>& block, int row, Real free_strain,
-            Real (&s)[4]) {
+            Real (&s)[4], Real (&strain)[4]) {
   const PlaneDeformation<Real> step(
       load<Real>(&block.gradient[0][row]), load<Real>(&block.gradient[1][row]),
       load<Real>(&block.gradient[2][row]), load<Real>(&block.gradient[3][row]));
@@ -66,12 +70,16 @@ Real deform(const StressMaterial& m, const DeformationBlock<2>& block, int row, 
   s[1] += mean + twice * step.yy;
   s[2] += mean;
   s[3] += twice * step.xy;
+  strain[0] = step.xx;
+  strain[1] = step.yy;
+  strain[2] = as<Real>(0.0);
+  strain[3] = 2.0 * step.xy;
   return step.volume;
 }
 
 template <class Real>
 Real deform(const StressMaterial& m, const DeformationBlock<3>& block, int row, Real free_strain,
-            Real (&s)[6]) {
+            Real (&s)[6], Real (&strain)[6]) {
   Real a[9];
   for (int c = 0; c < 9; ++c) {
     a[c] = load<Real>(&block.gradient[c][row]);
@@ -84,6 +92,8 @@ Real deform(const StressMaterial& m, const DeformationBlock<3>& block, int row, 
   for (int c = 0; c < 3; ++c) {
     s[c] += mean + twice * step.strain[c];
     s[c + 3] += twice * step.strain[c + 3];
+    strain[c] = step.strain[c];
+    strain[c + 3] = 2.0 * step.strain[c + 3];
   }
   return step.volume;
 }
@@ -95,6 +105,24 @@ void return_one(const Return& sorted, Real (&s)[4]) {
 template <class Real, class Return>
 void return_one(const Return& sorted, Real (&s)[6]) {
   apply_full(sorted, s[0], s[1], s[2], s[3], s[4], s[5]);
+}
+
+/// The stress before the step, turned, on the strain of the step: that of the trial stress less
+/// what the step added.
+template <class Real, int components>
+Real contract(const StressMaterial& m, const Real (&trial)[components],
+              const Real (&strain)[components], Real free_strain) {
+  const double twice = 2.0 * m.shear_modulus;
+  const Real trace = strain[0] + strain[1] + strain[2];
+  const Real mean = m.lambda * trace - (3.0 * m.lambda + twice) * free_strain;
+  Real sum = as<Real>(0.0);
+  for (int c = 0; c < 3; ++c) {
+    sum += (trial[c] - mean - twice * strain[c]) * strain[c];
+  }
+  for (int c = 3; c < components; ++c) {
+    sum += (trial[c] - m.shear_modulus * strain[c]) * strain[c];
+  }
+  return sum;
 }
 
 /// Stress times the plastic strain that a return from `trial` to `s` means, J/m3.
@@ -129,8 +157,11 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
       s[c] = load_rows<Real>(stress + c, components);
     }
     const Real free_strain = rows.free_strain ? load<Real>(rows.free_strain + row) : as<Real>(0.0);
-    const Real growth = deform(m, block, row, free_strain, s);
-    const Real volume = load<Real>(rows.volume + row) * growth;
+    Real strain[components];
+    const Real growth = deform(m, block, row, free_strain, s, strain);
+    const Real before = load<Real>(rows.volume + row);
+    const Real volume = before * growth;
+    Real strained = contract(m, s, strain, free_strain);
     Real work = as<Real>(0.0);
     if constexpr (yields) {
       Real trial[components];
@@ -148,9 +179,11 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
     }
     for (int c = 0; c < components; ++c) {
       store_rows(stress + c, components, s[c]);
+      strained += s[c] * strain[c];
     }
     store(rows.volume + row, volume);
-    lanes.add(work, growth, volume / load<Real>(rows.mass + row));
+    lanes.add(work, 0.25 * (before + volume) * strained, growth,
+              volume / load<Real>(rows.mass + row));
   });
   return lanes.total();
 }

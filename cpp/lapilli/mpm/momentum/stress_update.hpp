@@ -34,6 +34,7 @@ struct StressRows {
 
 struct StressSums {
   double plastic = 0.0;       // J
+  double strain_work = 0.0;   // J, of the mean stress of the step on its strain
   double least_volume = 1.0;  // least determinant of the incremental deformation
   double wave_ratio = 0.0;    // largest volume over mass, m^Dim/kg
 };

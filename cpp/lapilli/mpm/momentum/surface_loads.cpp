@@ -1,4 +1,4 @@
-#include "lapilli/mpm/momentum/loads.hpp"
+#include "lapilli/mpm/momentum/surface_loads.hpp"
 
 #include <algorithm>
 
@@ -45,7 +45,7 @@ std::string name_of_law(const MomentumBoundary& law, std::size_t index) {
 }
 
 template <int Dim>
-Loads<Dim>::Loads(const MomentumData<Dim>& data, const MomentumProblem<Dim>& problem)
+SurfaceLoads<Dim>::SurfaceLoads(const MomentumData<Dim>& data, const MomentumProblem<Dim>& problem)
     : laws_(problem.settings.boundaries),
       nodes_(laws_.size()),
       work_(laws_.size(), 0.0),
@@ -68,7 +68,7 @@ Loads<Dim>::Loads(const MomentumData<Dim>& data, const MomentumProblem<Dim>& pro
 }
 
 template <int Dim>
-void Loads<Dim>::project_surface(const MomentumData<Dim>& data) {
+void SurfaceLoads<Dim>::project_surface(const MomentumData<Dim>& data) {
   const auto size = static_cast<std::size_t>(data.grid.node_count() + 4);
   sums_.fraction.assign(size, 0.0);
   sums_.area_vector.resize(size);
@@ -92,7 +92,7 @@ void Loads<Dim>::project_surface(const MomentumData<Dim>& data) {
 }
 
 template <int Dim>
-void Loads<Dim>::find_surface(const MomentumData<Dim>& data) {
+void SurfaceLoads<Dim>::find_surface(const MomentumData<Dim>& data) {
   project_surface(data);
   if (data.points.version() != version_) {
     outside_.follow(data.points);
@@ -125,7 +125,7 @@ void Loads<Dim>::find_surface(const MomentumData<Dim>& data) {
 }
 
 template <int Dim>
-void Loads<Dim>::add_forces(MomentumData<Dim>& data, double time) {
+void SurfaceLoads<Dim>::add_forces(MomentumData<Dim>& data, double time) {
   find_surface(data);
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     Nodes& n = nodes_[law];
@@ -147,7 +147,7 @@ void Loads<Dim>::add_forces(MomentumData<Dim>& data, double time) {
 }
 
 template <int Dim>
-void Loads<Dim>::book(const MomentumData<Dim>& data, double step) {
+void SurfaceLoads<Dim>::book(const MomentumData<Dim>& data, double step) {
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     const Nodes& n = nodes_[law];
     for (std::size_t k = 0; k < n.node.size(); ++k) {
@@ -162,7 +162,7 @@ void Loads<Dim>::book(const MomentumData<Dim>& data, double step) {
 }
 
 template <int Dim>
-double Loads<Dim>::work() const {
+double SurfaceLoads<Dim>::work() const {
   double sum = 0.0;
   for (const double work : work_) {
     sum += work;
@@ -171,7 +171,7 @@ double Loads<Dim>::work() const {
 }
 
 template <int Dim>
-std::vector<Ledger::Entry> Loads<Dim>::work_entries() const {
+std::vector<Ledger::Entry> SurfaceLoads<Dim>::work_entries() const {
   std::vector<Ledger::Entry> entries;
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     entries.push_back({name_of_law(laws_[law], law), work_[law]});
@@ -180,7 +180,7 @@ std::vector<Ledger::Entry> Loads<Dim>::work_entries() const {
 }
 
 template <int Dim>
-std::vector<Ledger::Entry> Loads<Dim>::impulse_entries(int axis) const {
+std::vector<Ledger::Entry> SurfaceLoads<Dim>::impulse_entries(int axis) const {
   std::vector<Ledger::Entry> entries;
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     entries.push_back({name_of_law(laws_[law], law), impulse_[law][axis]});
@@ -189,7 +189,7 @@ std::vector<Ledger::Entry> Loads<Dim>::impulse_entries(int axis) const {
 }
 
 template <int Dim>
-SurfaceView Loads<Dim>::surface() const {
+SurfaceView SurfaceLoads<Dim>::surface() const {
   SurfaceView view;
   view.dimension = Dim;
   for (const Nodes& n : nodes_) {
@@ -203,7 +203,7 @@ SurfaceView Loads<Dim>::surface() const {
 }
 
 template <int Dim>
-void Loads<Dim>::save(Archive& archive, const std::string& name) const {
+void SurfaceLoads<Dim>::save(Archive& archive, const std::string& name) const {
   archive.write(name + "/work", work_);
   std::vector<double> impulse;
   for (const Vec3& of_law : impulse_) {
@@ -214,7 +214,7 @@ void Loads<Dim>::save(Archive& archive, const std::string& name) const {
 }
 
 template <int Dim>
-void Loads<Dim>::load(const Archive& archive, const std::string& name) {
+void SurfaceLoads<Dim>::load(const Archive& archive, const std::string& name) {
   archive.read(name + "/work", std::span<double>(work_));
   std::vector<double> impulse(3 * impulse_.size());
   archive.read(name + "/impulse", std::span<double>(impulse));
@@ -224,7 +224,7 @@ void Loads<Dim>::load(const Archive& archive, const std::string& name) {
   outside_.load(archive, name + "/outside");
 }
 
-template class Loads<2>;
-template class Loads<3>;
+template class SurfaceLoads<2>;
+template class SurfaceLoads<3>;
 
 }  // namespace lapilli

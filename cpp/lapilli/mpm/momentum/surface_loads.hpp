@@ -10,16 +10,16 @@
 
 namespace lapilli {
 
-/// Loads on free surfaces by the virtual flux of Yu & Zhao (2026), section 3.3.2, with nodal areas:
-/// a traction gives a node the force A_I t, a pressure -p a_I with the area vector
-/// a_I = sum V grad S, so that an even pressure and the even stress it causes balance to rounding
-/// at every node, whatever the surface.
+/// SurfaceLoads on free surfaces by the virtual flux of Yu & Zhao (2026), section 3.3.2, with nodal
+/// areas: a traction gives a node the force A_I t, a pressure -p a_I with the area vector a_I = sum
+/// V grad S, so that an even pressure and the even stress it causes balance to rounding at every
+/// node, whatever the surface.
 template <int Dim>
-class Loads {
+class SurfaceLoads {
  public:
   /// Finds the surface at the points' present places. Throws std::invalid_argument when the region
   /// of a law selects none of it.
-  Loads(const MomentumData<Dim>& data, const MomentumProblem<Dim>& problem);
+  SurfaceLoads(const MomentumData<Dim>& data, const MomentumProblem<Dim>& problem);
 
   /// Find the surface and add the force of every law at `time` to the nodal forces (`increment`
   /// before the nodes are solved).

@@ -1,0 +1,1 @@
+"""Soil that moves: published laws and exact answers."""
