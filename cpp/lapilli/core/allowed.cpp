@@ -45,8 +45,8 @@ std::string allowed_range(const Key& key) {
 
 void check_range(const Key& key, double value, std::string_view where) {
   const bool usable = std::isfinite(value) || (key.infinity_allowed && std::isinf(value));
-  const bool inside = usable && (key.open ? value > key.least : value >= key.least) &&
-                      value <= key.most;
+  const bool inside =
+      usable && (key.open ? value > key.least : value >= key.least) && value <= key.most;
   if (!inside) {
     const std::string range = allowed_range(key);
     require(false, where, where.empty() ? "" : ": ", key.name, " must be ",
