@@ -846,8 +846,8 @@ class MohrCoulomb:
     
     Parameters
     ----------
-    density : float, kg/m3, required
-        mass per undeformed volume; above 0 (kg/m3)
+    density : float, kg/m^3, required
+        mass per undeformed volume; above 0 (kg/m^3)
     youngs_modulus : float, Pa, required
         stiffness in tension; above 0 (Pa)
     poissons_ratio : float, default 0.0
@@ -885,7 +885,7 @@ class MohrCoulomb:
     @property
     def density(self) -> float:
         """
-        mass per undeformed volume, kg/m3
+        mass per undeformed volume, kg/m^3
         """
     @density.setter
     def density(self, value: float) -> None:
