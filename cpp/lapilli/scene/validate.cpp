@@ -143,8 +143,9 @@ void check_motion(const Scene& scene, const Motion& motion, const std::string& p
 
 void check_momentum_body(const Scene& scene, const Body& body, int solid, const std::string& path) {
   if (!scene.momentum) {
-    require_at(body.velocity.empty(), scene, path + ".velocity",
-               "has no effect without [momentum]; a prescribed motion is `motion`");
+    require_at(body.velocity.empty() || scene.peridynamics, scene, path + ".velocity",
+               "has no effect without [momentum] or [peridynamics]; a prescribed motion is "
+               "`motion`");
     require_at(!body.geostatic, scene, path + ".geostatic", "has no effect without [momentum]");
     return;
   }

@@ -14,11 +14,11 @@ MODULES: dict[str, str] = {
     "vhfm/sphere": "lapilli.reproduce.vhfm.sphere",
     "vhfm/square": "lapilli.reproduce.vhfm.square",
     "vhfm/fan": "lapilli.reproduce.vhfm.fan",
+    "vhfm/column": "lapilli.reproduce.vhfm.column",
     "pd/conduction": "lapilli.reproduce.pd.conduction",
     "pd/cavity": "lapilli.reproduce.pd.cavity",
     "pd/benard": "lapilli.reproduce.pd.benard",
     "pd/thermals": "lapilli.reproduce.pd.thermals",
-    "vhfm/column": "lapilli.reproduce.vhfm.column",
     "soil/collapse": "lapilli.reproduce.soil.collapse",
     "ib/block": "lapilli.reproduce.ib.block",
 }
