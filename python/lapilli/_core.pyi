@@ -6,7 +6,7 @@ import collections.abc
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'Flux', 'FrictionalWall', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'MohrCoulomb', 'Momentum', 'Monitor', 'NoSlipWall', 'Output', 'OutputError', 'PlasticHeating', 'Points', 'Polygon', 'Pressure', 'Progress', 'QuasiStatic', 'Radiation', 'RollerWall', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
+__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'FluidWall', 'Flux', 'FrictionalWall', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'MohrCoulomb', 'Momentum', 'Monitor', 'Newtonian', 'NoSlipWall', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'Pressure', 'Progress', 'QuasiStatic', 'Radiation', 'RollerWall', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -2251,7 +2251,7 @@ class Body:
         direction that stays, in three dimensions
     translation : collections.abc.Sequence[float], m, default ()
         displacement after the turn
-    material : list[Thermal | Elastic | MohrCoulomb | ThermalExpansion | PlasticHeating], required
+    material : list[Thermal | Elastic | Newtonian | MohrCoulomb | ThermalExpansion | PlasticHeating], required
         what it is made of: one material, or one for each physics
     temperature : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, default 0.0
         temperature at the start
@@ -2269,7 +2269,7 @@ class Body:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., clip: bool = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Elastic | MohrCoulomb | ThermalExpansion | PlasticHeating], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., geostatic: Geostatic | None = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
+    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., clip: bool = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Elastic | Newtonian | MohrCoulomb | ThermalExpansion | PlasticHeating], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., geostatic: Geostatic | None = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -2302,12 +2302,12 @@ class Body:
     def jitter(self, value: float) -> None:
         ...
     @property
-    def material(self) -> list[Thermal | Elastic | MohrCoulomb | ThermalExpansion | PlasticHeating]:
+    def material(self) -> list[Thermal | Elastic | Newtonian | MohrCoulomb | ThermalExpansion | PlasticHeating]:
         """
         what it is made of: one material, or one for each physics
         """
     @material.setter
-    def material(self, value: list[Thermal | Elastic | MohrCoulomb | ThermalExpansion | PlasticHeating]) -> None:
+    def material(self, value: list[Thermal | Elastic | Newtonian | MohrCoulomb | ThermalExpansion | PlasticHeating]) -> None:
         ...
     @property
     def motion(self) -> Rotation | Translation | Swirl | None:
@@ -3131,7 +3131,7 @@ class Scene:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, title: str = ..., grid: Grid, bodies: list[Body], heat: Heat | None = ..., momentum: Momentum | None = ..., quasi_static: QuasiStatic | None = ..., time: Time, output: Output = ..., monitors: list[Monitor] = ...) -> None:
+    def __init__(self, *, title: str = ..., grid: Grid, bodies: list[Body], heat: Heat | None = ..., momentum: Momentum | None = ..., quasi_static: QuasiStatic | None = ..., peridynamics: Peridynamics | None = ..., time: Time, output: Output = ..., monitors: list[Monitor] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
