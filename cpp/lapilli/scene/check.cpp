@@ -127,7 +127,7 @@ void describe_quasi_static(const Scene& scene, CheckReport& report) {
 
 void describe_momentum(const Scene& scene, CheckReport& report) {
   if (!scene.momentum) {
-    report.not_modelled.push_back("momentum, deformation");
+    report.not_modelled.push_back("explicit momentum");
     return;
   }
   report.modelled.push_back(report.dimension == 2 ? "explicit momentum in plane strain"
@@ -180,7 +180,7 @@ void describe_physics(const Scene& scene, CheckReport& report) {
     moving |= body.motion.has_value();
   }
   (moving ? report.modelled : report.not_modelled).push_back("prescribed rigid motion");
-  if (!scene.quasi_static) {
+  if (!scene.quasi_static && !scene.momentum) {
     report.not_modelled.push_back("deformation");
   }
 }

@@ -79,9 +79,7 @@ TEST_CASE("a collapsing column closes its energy account") {
     CAPTURE(name_of(update), released, gap / released, run->value("plastic dissipation") / released,
             run->value("transfer loss") / released, run->value("wall impact") / released,
             run->value("wall friction") / released);
-    // MUSL strains with another velocity than the one that is solved for: 1.7 % on this coarse
-    // grid.
-    CHECK(std::abs(gap) < (update == StressUpdate::usl ? 0.01 : 0.02) * released);
+    CHECK(std::abs(gap) < 0.01 * released);
     CHECK(run->value("plastic dissipation") > 0.3 * released);
     CHECK(run->value("kinetic energy") < 0.01 * released);
   }
@@ -114,7 +112,7 @@ TEST_CASE("run-out over aspect ratio and cell size", "[.slow]") {
                 << " over 1.9 a^(2/3): " << run_out / (1.9 * std::pow(aspect, 2.0 / 3.0))
                 << " energy gap " << gap << " steps " << run->index);
       CHECK(std::abs(gap) < 0.01);
-      if (aspect <= 1.5) {
+      if (aspect <= 1.5 && h < 0.1) {  // ten cells under a column of 0.5 m are too few
         CHECK(run_out > 0.85 * aspect);
         CHECK(run_out < 1.15 * 1.2 * aspect);
       }

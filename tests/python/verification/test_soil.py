@@ -109,3 +109,44 @@ def test_a_traction_pulls_a_bar():
     x = simulation["position"][:, 0]
     middle = (x > 0.25) & (x < 0.75)
     assert simulation["stress"][middle, 0].mean() == pytest.approx(100, rel=0.02)
+
+
+def bent(angle: float, cell: float) -> float:
+    """How far the middle of a free beam bends under a smooth traction along all of its surface that
+    neither pushes nor turns it, m; the beam lies at an angle to the grid."""
+    length, height, end = 2.0, 0.4, 0.4
+    c, s = np.cos(np.radians(angle)), np.sin(np.radians(angle))
+    axes = np.array([[c, -s], [s, c]])
+
+    def factor(position: np.ndarray, state: np.ndarray, time: float) -> np.ndarray:
+        along = np.clip((position[:, :2] @ axes)[:, 0], -length / 2, length / 2)
+        balance = height / (length + height)
+        return time / end * (np.cos(2 * np.pi * along / length) + balance)
+
+    half = round(1.4 / cell) * cell
+    beam = lp.Body(
+        shape=lp.Box(lower=(-length / 2, -height / 2), upper=(length / 2, height / 2)),
+        rotation=angle,
+        points_per_cell=9,
+        material=lp.Elastic(density=1000, youngs_modulus=1e6, poissons_ratio=0.3),
+    )
+    across = lp.Traction(value=tuple(axes @ (0, 50)), factor=factor)
+    scene = lp.Scene(
+        grid=lp.Grid(lower=(-half, -half), upper=(half, half), cell=cell),
+        bodies=[beam],
+        momentum=lp.Momentum(pic_share=0, boundaries=[across]),
+        time=lp.Time(end=end),
+    )
+    simulation = lp.Simulation(scene)
+    start = simulation.by_id("position")
+    simulation.run_until(end)
+    moved = (simulation.by_id("position") - start) @ axes
+    along = np.abs((start @ axes)[:, 0])
+    return float(moved[along < 0.1, 1].mean() - moved[along > length / 2 - 0.1, 1].mean())
+
+
+def test_a_beam_bends_alike_at_any_angle_to_the_grid():
+    """Turned by 0, 15, 30 and 45 degrees at 8 cells across: 0.3 % apart measured, 2 % is the bar.
+    The traction is smooth: a region's edge falls on whole nodes, worth 5 % at this cell."""
+    found = np.array([bent(angle, 0.05) for angle in (0, 15, 30, 45)])
+    assert np.ptp(found) <= 0.02 * found.mean()
