@@ -160,8 +160,8 @@ def _add_extremes(commands: argparse._SubParsersAction[Parser]) -> None:
     extremes.add_argument(
         "--transfer",
         action="append",
-        choices=["kept", "flip", "pic", "tpic", "affine"],
-        help="one transfer; may be repeated; all unless given",
+        choices=["kept", "flip", "pic", "tpic", "affine", "peridynamics", "momentum"],
+        help="one transfer of heat, or a method; may be repeated; all unless given",
     )
     extremes.add_argument("--quick", action="store_true", help="four steps a case")
     extremes.add_argument("--json", metavar="FILE", help="write every step")

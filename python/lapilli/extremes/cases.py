@@ -1,5 +1,5 @@
-"""Scenes that try the stability of heat: scattered points, stiff surfaces, contrasts, motion; and
-peridynamic cavities."""
+"""Scenes that try the stability of heat: scattered points, stiff surfaces, contrasts, motion;
+peridynamic cavities and soil."""
 
 from __future__ import annotations
 
@@ -9,11 +9,13 @@ from typing import Any
 
 import lapilli as lp
 from lapilli.extremes.fluid import fluid_scenes
+from lapilli.extremes.soil import soil_scenes
 
 CELL = 1.0  # m; conductivity and capacity are 1, so that h^2/alpha is 1 s
 HALF = 6.0  # half the side of the square, m
 FLUID = "peridynamics"  # stands for a transfer in scenes that have none
-TRANSFERS = ("kept", "flip", "pic", "tpic", "affine", FLUID)
+SOIL = "momentum"  # the same
+TRANSFERS = ("kept", "flip", "pic", "tpic", "affine", FLUID, SOIL)
 
 
 @dataclass(frozen=True)
@@ -31,7 +33,10 @@ def all_cases(transfers: tuple[str, ...] = TRANSFERS) -> Iterator[Case]:
     if FLUID in transfers:
         for name, scene in fluid_scenes():
             yield Case(name, FLUID, scene, False)
-    for transfer in (one for one in transfers if one != FLUID):
+    if SOIL in transfers:
+        for name, scene in soil_scenes():
+            yield Case(name, SOIL, scene, False)
+    for transfer in (one for one in transfers if one not in (FLUID, SOIL)):
         for biot in (1e-6, 1.0, 1e6):
             yield Case(f"lattice, Biot {biot:g}", transfer, square(transfer, biot), True)
         for name, layout in LAYOUTS.items():

@@ -20,6 +20,13 @@ def test_automatic_step_is_stable_and_steps_past_the_limit_are_refused() -> None
     assert 0.0 < rows[0.5].error < rows[1.0].error
 
 
+def test_soil_is_stable_at_its_automatic_step_and_refused_beyond_its_limit() -> None:
+    case = next(case for case in all_cases(("momentum",)) if case.name == "gimp, musl")
+    rows = {row.factor: row for row in measure(case, (0.5, 1.0, 4.0))}
+    assert rows[0.5].outcome is rows[1.0].outcome is Outcome.STABLE
+    assert rows[4.0].outcome is Outcome.REFUSED
+
+
 def test_every_transfer_has_cases_and_only_moving_ones_swirl() -> None:
     cases = list(all_cases())
     assert len({(case.transfer, case.name) for case in cases}) == len(cases)
