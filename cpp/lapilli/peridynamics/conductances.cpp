@@ -58,12 +58,13 @@ bool Conductances<Dim>::update() {
   if (version_ == points_.version() && ordering_ == points_.ordering()) {
     return false;
   }
-  weigh_bonds();
+  follow_points();
   for (int sweep = 0; sweep < sweeps_at_rest && first_ && corrected_; ++sweep) {
-    balance(sweep_damping);
+    balance(sweep_damping, true);
   }
   // Points that move keep the correction of the step before and improve it by one sweep.
-  balance(corrected_ && !first_ && !keep_correction_ ? sweep_damping : 0.0);
+  const bool improve = corrected_ && !first_ && !keep_correction_;
+  balance(improve ? sweep_damping : 0.0, improve);
   version_ = points_.version();
   ordering_ = points_.ordering();
   first_ = keep_correction_ = false;
@@ -73,17 +74,20 @@ bool Conductances<Dim>::update() {
 template <int Dim>
 void Conductances<Dim>::refresh() {
   if (first_ || version_ != points_.version() || ordering_ != points_.ordering()) {
-    weigh_bonds();
-    balance(0.0);
+    follow_points();
+    balance(0.0, false);
   }
 }
 
 template <int Dim>
-void Conductances<Dim>::weigh_bonds() {
+void Conductances<Dim>::follow_points() {
   families_.update();
   gather_rows();
   find_images();
-  weigh();
+  conductance_.resize(static_cast<std::size_t>(families_.bonds()));
+  if (first_ && corrected_) {
+    balance(0.0, true);  // no tilt yet: the moments of the bonds
+  }
 }
 
 template <int Dim>
@@ -133,61 +137,10 @@ std::span<const typename Insulation<Dim>::Image> Conductances<Dim>::images(Index
 }
 
 template <int Dim>
-void Conductances<Dim>::weigh() {
-  bond_weight_.resize(static_cast<std::size_t>(families_.bonds()));
-  const lanes::BondWeightLanes weight(weight_);
-  const std::int32_t* neighbours = families_.neighbours();
-  over_points(points_.size(), [&](Index i) {
-    const double* own = rows_.data() + i * row_size;
-    const Quad x = all(own[0]), y = all(own[1]), z = all(own[2]);
-    Quad moment = all(0.0);
-    for (Index k = families_.begin(i); k < families_.padded_end(i); k += lanes::width) {
-      Quad a = load_quad(rows_.data() + neighbours[k] * row_size);
-      Quad b = load_quad(rows_.data() + neighbours[k + 1] * row_size);
-      Quad c = load_quad(rows_.data() + neighbours[k + 2] * row_size);
-      Quad v = load_quad(rows_.data() + neighbours[k + 3] * row_size);
-      lanes::transpose(a, b, c, v);
-      a -= x;
-      b -= y;
-      c -= z;
-      const Quad squared = a * a + b * b + c * c;
-      const Quad w = weight(squared, square_root(squared)) * v;
-      store_quad(bond_weight_.data() + k, w);
-      moment = multiply_add(w, squared, moment);
-    }
-    if (!corrected_) {
-      return;
-    }
-    double total = lanes::sum(moment);
-    if (insulation_.near(i)) {
-      for (Index k = families_.wall_begin(i); k < families_.end(i); ++k) {
-        if (bond_weight_[k] != 0.0 && insulation_.hides(i, neighbours[k])) {
-          double squared = 0.0;
-          for (int d = 0; d < Dim; ++d) {
-            squared += std::pow(rows_[neighbours[k] * row_size + d] - own[d], 2);
-          }
-          total -= bond_weight_[k] * squared;
-          bond_weight_[k] = 0.0;
-        }
-      }
-      for (const Image& image : images(i)) {
-        total += image_weight(image, i) * image.squared;
-      }
-    }
-    if (first_ && total > 0.0) {
-      normaliser_[i] = 2.0 * Dim / total;
-    }
-  });
-  if (first_) {
-    over_points(points_.size(), [&](Index i) { rows_[i * row_size + 7] = normaliser_[i]; });
-  }
-}
-
-template <int Dim>
-void Conductances<Dim>::balance(double damping) {
-  conductance_.resize(bond_weight_.size());
+void Conductances<Dim>::balance(double damping, bool normalise) {
   const std::int32_t* neighbours = families_.neighbours();
   const double half_conductivity = 0.5 * conductivity_;
+  const lanes::BondWeightLanes weight(weight_);
   over_points(points_.size(), [&](Index i) {
     if (!families_.owns(i)) {
       return;
@@ -197,27 +150,26 @@ void Conductances<Dim>::balance(double damping) {
     const Quad lx = all(own[4]), ly = all(own[5]), lz = all(own[6]);
     const Quad c_own = all(own[7]);
     const Quad scale = all(half_conductivity * own[3]);
-    const Quad bound = all(0.8);
+    const Quad bound = all(0.8), one = all(1.0);
     Quad out_x = all(0.0), out_y = out_x, out_z = out_x, moment = out_x;
     for (Index k = families_.begin(i); k < families_.padded_end(i); k += lanes::width) {
-      const std::int32_t* j = neighbours + k;
-      Quad a = load_quad(rows_.data() + j[0] * row_size),
-           al = load_quad(rows_.data() + j[0] * row_size + 4);
-      Quad b = load_quad(rows_.data() + j[1] * row_size),
-           bl = load_quad(rows_.data() + j[1] * row_size + 4);
-      Quad c = load_quad(rows_.data() + j[2] * row_size),
-           cl = load_quad(rows_.data() + j[2] * row_size + 4);
-      Quad v = load_quad(rows_.data() + j[3] * row_size),
-           vl = load_quad(rows_.data() + j[3] * row_size + 4);
+      const double* r0 = rows_.data() + neighbours[k] * row_size;
+      const double* r1 = rows_.data() + neighbours[k + 1] * row_size;
+      const double* r2 = rows_.data() + neighbours[k + 2] * row_size;
+      const double* r3 = rows_.data() + neighbours[k + 3] * row_size;
+      Quad a = load_quad(r0), b = load_quad(r1), c = load_quad(r2), v = load_quad(r3);
+      Quad al = load_quad(r0 + 4), bl = load_quad(r1 + 4), cl = load_quad(r2 + 4);
+      Quad vl = load_quad(r3 + 4);
       lanes::transpose(a, b, c, v);
       lanes::transpose(al, bl, cl, vl);
       a -= x;
       b -= y;
       c -= z;
+      const Quad squared = a * a + b * b + c * c;
       Quad tilt = (lx - al) * a + (ly - bl) * b + (lz - cl) * c;
       tilt = lanes::choose(tilt > bound, bound, lanes::choose(tilt < -bound, -bound, tilt));
-      const Quad w = load_quad(bond_weight_.data() + k) * (all(1.0) + tilt);
-      moment = multiply_add(w, a * a + b * b + c * c, moment);
+      const Quad w = weight(squared, square_root(squared)) * v * (one + tilt);
+      moment = multiply_add(w, squared, moment);
       const Quad s = w * (c_own + vl);
       store_quad(conductance_.data() + k, s * scale);
       out_x = multiply_add(s, a, out_x);
@@ -227,17 +179,18 @@ void Conductances<Dim>::balance(double damping) {
     double out[3] = {lanes::sum(out_x), lanes::sum(out_y), lanes::sum(out_z)};
     double total = lanes::sum(moment);
     if (corrected_ && insulation_.near(i)) {
+      total += hide_bonds(i, out);
       total += add_images(i, out);
     }
     // The sweep divides by the diagonal block, sum of s Y Y = 4 on a full lattice.
     for (int d = 0; d < Dim; ++d) {
       correction_[i * Dim + d] = own[4 + d] - damping * 0.25 * out[d];
     }
-    if (damping > 0.0 && total > 0.0) {
+    if (normalise && total > 0.0) {
       normaliser_[i] = 2.0 * Dim / total;
     }
   });
-  if (damping > 0.0) {
+  if (normalise) {
     over_points(points_.size(), [&](Index i) {
       for (int d = 0; d < Dim; ++d) {
         rows_[i * row_size + 4 + d] = correction_[i * Dim + d];
@@ -245,6 +198,28 @@ void Conductances<Dim>::balance(double damping) {
       rows_[i * row_size + 7] = normaliser_[i];
     });
   }
+}
+
+template <int Dim>
+double Conductances<Dim>::hide_bonds(Index i, double* out) {
+  const double* own = rows_.data() + i * row_size;
+  double moment = 0.0;
+  for (Index k = families_.wall_begin(i); k < families_.end(i); ++k) {
+    const Index j = families_.neighbour(k);
+    if (conductance_[k] == 0.0 || !insulation_.hides(i, j)) {
+      continue;
+    }
+    const double* other = rows_.data() + j * row_size;
+    const double s = conductance_[k] / (0.5 * conductivity_ * own[3]);
+    double squared = 0.0;
+    for (int d = 0; d < Dim; ++d) {
+      squared += (other[d] - own[d]) * (other[d] - own[d]);
+      out[d] -= s * (other[d] - own[d]);
+    }
+    moment -= s / (own[7] + other[7]) * squared;
+    conductance_[k] = 0.0;
+  }
+  return moment;
 }
 
 template <int Dim>

@@ -43,11 +43,14 @@ class Conductances {
  private:
   using Image = typename Insulation<Dim>::Image;
 
-  void weigh_bonds();
+  void follow_points();
   void gather_rows();
   void find_images();
-  void weigh();
-  void balance(double damping);
+  /// Conductances of all bonds as l and c are now; then a sweep that improves l by `damping` and,
+  /// on request, c.
+  void balance(double damping, bool normalise);
+  /// Take bonds back that an adiabatic wall hides; what the moment of `point` loses.
+  double hide_bonds(Index point, double* out);
   double image_weight(const Image& image, Index owner) const;
   double add_images(Index point, double* out);
   /// The images that a point sees.
@@ -64,7 +67,7 @@ class Conductances {
   PointArray correction_;     // l, 1/m
   PointArray normaliser_;     // c, 1/m^(Dim+2)
   std::vector<double> rows_;  // a point: x y z V | l c
-  std::vector<double> bond_weight_, conductance_;
+  std::vector<double> conductance_;
   std::vector<std::vector<Image>> images_;  // a piece of points
   std::vector<Index> image_begin_;          // in its piece
   Index version_ = -1, ordering_ = -1;

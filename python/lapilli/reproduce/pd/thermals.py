@@ -88,11 +88,12 @@ def run(quick: bool) -> list[Row]:
         return Row(case=NAME, setting=setting, quantity=quantity, unit=unit, paper=None,
                    reference=None, lapilli=value, bar="", ok=True)  # fmt: skip
 
+    beat = period(found.time, trace)
     top = found.state.position[found.state.temperature > COLD + ACTIVE, 1]
     return [
         row("thermals 0.8 cm above the plate", "", thermals(found)),
         row("warmest at the monitor", "degree C", float(trace.max())),
-        row("period at the monitor", "s", period(found.time, trace)),
+        *([row("period at the monitor", "s", beat)] if np.isfinite(beat) else []),
         row("height of the highest thermal", "cm", 100 * float(top.max(initial=0.0))),
         row("density variation", "", found.density_variation),
     ]
