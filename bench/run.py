@@ -42,6 +42,9 @@ def main() -> None:
     given = parser.parse_args()
     for program in sorted((given.build / "bench").glob("*_throughput")):
         throughput(program)
+    print("load_step: processor seconds of one load step by cells a side", flush=True)
+    sizes = ["100", "200"] if given.quick else []
+    subprocess.run([given.build / "bench" / "load_step", *sizes], check=True)
     command = [sys.executable, str(ROOT / "bench" / "tradeoff.py")]
     subprocess.run(command + ["--quick"] * given.quick, check=True)
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/core/step_refused.hpp"
 
 namespace lapilli {
 
@@ -55,6 +56,12 @@ StepReport Simulation::advance(double size, bool look) {
       total.iterations += report.iterations;
       total.residual = std::max(total.residual, report.residual);
     }
+  } catch (const StepRefused& error) {
+    const std::string reason = message("step ", index_, ", time ", time_, " s: ", error.what());
+    if (physics_.size() == 1) {
+      throw StepRefused(reason);
+    }
+    throw RunError(reason);  // another physics has taken the step
   } catch (const RunError& error) {
     throw RunError(message("step ", index_, ", time ", time_, " s: ", error.what()));
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/core/step_refused.hpp"
 #include "lapilli/output/frame_schedule.hpp"
 #include "lapilli/output/run_files.hpp"
 
@@ -105,6 +106,11 @@ RunSummary run(Simulation& simulation, const RunOptions& options) {
     const RunStatus status = step_to_end(simulation, options, schedule, files, measure.now());
     files.write_record(status == RunStatus::finished ? "finished" : "interrupted", measure.now());
     return {status, simulation.time(), files.frames(), measure.now()};
+  } catch (const StepRefused& error) {
+    files.stop(measure.now());
+    const std::string reason = error.what() + files.last_frame();
+    record_failure(files, measure.now(), reason);
+    throw RunError(reason);
   } catch (const RunError& error) {
     const std::string reason = error.what() + files.last_frame();
     record_failure(files, measure.now(), reason);

@@ -14,5 +14,6 @@ A reference that shares code with the solver proves nothing; a test reads this f
 | plane_strain | rectangle under a body force: deep beam, cantilever | bilinear finite elements |
 | granular | run-out of a collapsing column | published fits to experiments |
 | cavity | steady Boussinesq flow, heated side wall or floor | differences, Newton |
+| supports | displacements of the scenes in `examples/ib` | closed form, finite elements |
 | swirl | heated disc whose circles turn at their own speeds | exact motion, radial conduction |
 """

@@ -21,6 +21,15 @@ MODULES: dict[str, str] = {
     "pd/thermals": "lapilli.reproduce.pd.thermals",
     "soil/collapse": "lapilli.reproduce.soil.collapse",
     "ib/block": "lapilli.reproduce.ib.block",
+    "ib/beam": "lapilli.reproduce.ib.beam",
+    "ib/shear": "lapilli.reproduce.ib.shear",
+    "ib/cantilever": "lapilli.reproduce.ib.cantilever",
+    "ib/footing": "lapilli.reproduce.ib.footing",
+    "ib/funnel": "lapilli.reproduce.ib.funnel",
+    "ib/annulus": "lapilli.reproduce.ib.annulus",
+    "ib/column": "lapilli.reproduce.ib.column",
+    "ib/block3d": "lapilli.reproduce.ib.block3d",
+    "ib/forms": "lapilli.reproduce.ib.forms",
 }
 
 

@@ -33,7 +33,8 @@ class FunctionReference:
     function: Function
 
     def __call__(self, position: Array, time: float) -> Array:
-        return np.broadcast_to(np.asarray(self.function(position, time), float), len(position))
+        values = np.asarray(self.function(position, time), float)
+        return values if values.ndim == 2 else np.broadcast_to(values, len(position))
 
 
 @dataclass(frozen=True)

@@ -36,7 +36,7 @@ Pushed push(double h, WallForm form, double bandwidth) {
   settings.wall_form = form;
   settings.bandwidth = bandwidth;
   settings.ghost = 0.01;
-  settings.rebalance = false;  // as the reference was run
+  settings.relaxation = 0.0;  // as the reference was run
   Corners top;
   for (double x = 140.0; x > -0.5 * h; x -= h) {
     top.push_back({x, roof(x)});

@@ -198,7 +198,7 @@ void add_curved(const Shape& shape, const Vec3& low, double size, FilledPoints& 
 FilledPoints fill_exactly(const Shape& shape, const Lattice& lattice, int dimension) {
   FillOptions options;
   options.clip = true;
-  options.smallest_volume = 0.0;
+  options.smallest_volume = 1e-12;  // below it a box is cut by rounding alone
   if (dimension < 3) {
     return fill(shape, lattice, options, dimension);
   }

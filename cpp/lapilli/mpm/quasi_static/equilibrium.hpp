@@ -21,6 +21,8 @@ struct Loads {
   /// Displacement of the unknowns since the grid was reset, m; empty: none. Walls and ghosts resist
   /// all of it, the material only what is added: its stress already holds the rest.
   Eigen::VectorXd since_reset;
+  /// Part of the imbalance that the reset brought, not taken up yet, N; empty: none.
+  Eigen::VectorXd carried;
 };
 
 /// Equilibrium of the nodes of the background grid in one load step. The unknown is the

@@ -60,12 +60,14 @@ Vec3 shifted(const Vec3& place, const Vec<Dim>& by) {
 
 template <int Dim>
 MovingSurface<Dim>::MovingSurface(const SurfaceSettings& settings,
-                                  const std::vector<Value>& displacement, std::string what)
+                                  const std::vector<Value>& displacement, std::string what,
+                                  const Value& advance)
     : what_(std::move(what)),
       shape_(settings.shape),
       within_(settings.within),
       side_(settings.inside ? -1.0 : 1.0),
-      displacement_(displacement) {
+      displacement_(displacement),
+      advance_(advance) {
   require(shape_.has_value() != !settings.line.empty(), what_,
           " needs either a shape or a line, not both");
   require(settings.line.empty() || Dim == 2, what_, ": a line is a surface in two dimensions only");
@@ -90,7 +92,11 @@ MovingSurface<Dim>::MovingSurface(const SurfaceSettings& settings,
     require(!value.is_constant() || value.at(0.0) == 0.0, what_, ": a constant displacement of ",
             value.at(0.0), " m moves nothing; give a table in time, from 0 at the start");
   }
-  if (Dim == 2 && shape_) {
+  require(!advance_.is_constant() || advance_.at(0.0) == 0.0, what_, ": a constant advance of ",
+          advance_.at(0.0), " m moves nothing; give a table in time, from 0 at the start");
+  require(!advance_.is_function(), what_, ": advance is a number or a table in time");
+  require(advance_.is_constant() || shape_, what_, ": a line cannot advance, a shape can");
+  if (Dim == 2 && shape_ && advance_.is_constant()) {
     if (auto corners = outline(*shape_)) {
       line_ = std::move(*corners);
       if (side_ > 0.0) {
@@ -127,12 +133,16 @@ std::vector<Vec<Dim>> MovingSurface<Dim>::increments(const Facet<Dim>& facet, do
       steps[q][static_cast<int>(axis)] = after[q] - before[q];
     }
   }
+  for (std::size_t q = 0; q < count; ++q) {
+    steps[q] += (advance_.at(to) - advance_.at(from)) * facet.points[q].normal;
+  }
   return steps;
 }
 
 template <int Dim>
 double MovingSurface<Dim>::distance(const Vec3& place, double time) const {
-  return side_ * lapilli::distance(*shape_, shifted<Dim>(place, offset(time)));
+  return side_ * lapilli::distance(*shape_, shifted<Dim>(place, offset(time))) -
+         (advance_.at(time) - advance_.at(0.0));
 }
 
 template <int Dim>
@@ -194,9 +204,7 @@ std::vector<Facet<Dim>> MovingSurface<Dim>::cut(
   }
   const Vec<Dim> by = offset(time);
   const LevelSet level_set{
-      [&](const Vec3& place) {
-        return side_ * lapilli::distance(*shape_, shifted<Dim>(place, by));
-      },
+      [&](const Vec3& place) { return distance(place, time); },
       [&](const Vec3& place) {
         return Vec3(side_ * lapilli::gradient(*shape_, shifted<Dim>(place, by)));
       }};

@@ -16,7 +16,7 @@ class MovingSurface {
   /// Throws std::invalid_argument when the surface or its displacement cannot be used; `what` names
   /// it ("wall 'footing'").
   MovingSurface(const SurfaceSettings& settings, const std::vector<Value>& displacement,
-                std::string what);
+                std::string what, const Value& advance = 0.0);
 
   const std::string& what() const { return what_; }
   /// How far it has been carried at a time, m.
@@ -44,6 +44,7 @@ class MovingSurface {
   double side_ = 1.0;         // -1: the material is inside the shape
   std::vector<Vec<2>> line_;  // open line, or the closed outline of a shape with straight sides
   std::vector<Value> displacement_;
+  Value advance_;
 };
 
 }  // namespace lapilli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 
 namespace lapilli {
 
@@ -15,13 +16,16 @@ struct NewtonReport {
 struct Imbalance {
   Eigen::VectorXd force;
   double reference = 0.0;
+  double rounding = 0.0;  // what of the force may be rounding: stiff walls cancel large terms
 
   double relative() const { return reference > 0.0 ? force.norm() / reference : force.norm(); }
+  double floor() const { return reference > 0.0 ? rounding / reference : 0.0; }
 };
 
 /// Newton's method: `residual(u)` gives the imbalance at u, `correction(force)` solves with the
-/// tangent there. Runs until the relative imbalance is within `tolerance`, at least two iterations
-/// so that the second refines the solve of the first, and stops where a correction no longer helps.
+/// tangent there. Runs until the relative imbalance is within `tolerance` or within what rounding
+/// leaves, at least two iterations so that the second refines the solve of the first, and stops
+/// where a correction no longer helps.
 template <class Residual, class Correction>
 NewtonReport solve_newton(Eigen::VectorXd& u, const Residual& residual,
                           const Correction& correction, double tolerance, int largest_iterations) {
@@ -29,9 +33,10 @@ NewtonReport solve_newton(Eigen::VectorXd& u, const Residual& residual,
   NewtonReport report;
   Imbalance imbalance = residual(u);
   report.residual = imbalance.relative();
+  double within = std::max(tolerance, imbalance.floor());
   while (report.iterations < largest_iterations) {
     if (imbalance.force.isZero(0.0) ||
-        (report.residual <= tolerance && report.iterations >= least_iterations)) {
+        (report.residual <= within && report.iterations >= least_iterations)) {
       break;
     }
     const Eigen::VectorXd trial = u + correction(imbalance.force);
@@ -41,14 +46,15 @@ NewtonReport solve_newton(Eigen::VectorXd& u, const Residual& residual,
     Imbalance next = residual(trial);
     ++report.iterations;
     // Below the tolerance only rounding moves: keep the better of the two.
-    if (report.residual <= tolerance && next.relative() >= report.residual) {
+    if (report.residual <= within && next.relative() >= report.residual) {
       break;
     }
     u = trial;
     imbalance = std::move(next);
     report.residual = imbalance.relative();
+    within = std::max(tolerance, imbalance.floor());
   }
-  report.converged = report.residual <= tolerance;
+  report.converged = report.residual <= within;
   return report;
 }
 

@@ -7,7 +7,7 @@
 #include "lapilli/core/physics.hpp"
 #include "lapilli/core/points.hpp"
 #include "lapilli/mpm/quasi_static/equilibrium.hpp"
-#include "lapilli/mpm/quasi_static/moving_surface.hpp"
+#include "lapilli/mpm/quasi_static/reference.hpp"
 #include "lapilli/mpm/quasi_static/settings.hpp"
 #include "lapilli/mpm/shape_function.hpp"
 
@@ -50,33 +50,17 @@ class QuasiStatic final : public Physics {
     int halvings = 0;
   };
 
-  /// What stands until the grid is reset: where the points were then, and what follows from it.
-  struct Reference {
-    explicit Reference(Points& points) : position(points, Dim) {}
-
-    double time = 0.0;
-    PointArray position;                     // m, rows x Dim
-    std::unique_ptr<PointArray> half_width;  // m, rows x Dim, of GIMP
-    PointWeights<Dim> weights;
-    std::unique_ptr<CellState<Dim>> state;
-    std::vector<Facet<Dim>> facets;  // of the walls
-    WallScheme scheme;               // tightened when the matrix was not positive definite
-    Eigen::VectorXd moved;           // m, of the unknowns since then; empty: nothing
-    bool located = false, factorised = false;
-  };
-
   bool is_reset_due() const;
   void reset_grid(double time);
-  void locate_points();
-  std::vector<Facet<Dim>> cut_walls(double time) const;
   Loads<Dim> collect_loads(double to) const;
-  void add_tractions(Loads<Dim>& loads, double time) const;
+  Equilibrium<Dim> equilibrium_under(const Loads<Dim>& loads);
   Report attempt(double from, double to);
-  void rebalance(double time);
-  PivotReport factorise_tightening(std::unique_ptr<Equilibrium<Dim>>& equilibrium,
-                                   Loads<Dim>& loads, double to);
+  Eigen::VectorXd solve(const Equilibrium<Dim>& equilibrium, Report& report) const;
+  std::vector<Vec<Dim>> moves_of(const Equilibrium<Dim>& equilibrium,
+                                 const Eigen::VectorXd& u) const;
+  Eigen::VectorXd imbalance_at(double time);
+  void factorise(Loads<Dim>& loads, double to, Report& report);
   void require_positive(const PivotReport& pivots) const;
-  double deepest_penetration(const std::vector<Vec<Dim>>& moves, double from, double to) const;
   void update_points(const Equilibrium<Dim>& equilibrium, const Eigen::VectorXd& u,
                      const std::vector<Vec<Dim>>& moves);
 
@@ -84,11 +68,9 @@ class QuasiStatic final : public Physics {
   Grid<Dim> grid_;
   std::vector<LinearElastic> materials_;
   QuasiStaticSettings settings_;
+  Boundary<Dim> boundary_;
   WallScheme scheme_;
   double ghost_ = 0.0;
-  std::vector<MovingSurface<Dim>> walls_, tractions_;
-  std::vector<HeldMotion> kinds_;
-  std::vector<std::string> names_;
 
   PointArray stress_;                       // Pa, rows x 6
   PointArray displacement_;                 // m, rows x Dim
@@ -96,8 +78,9 @@ class QuasiStatic final : public Physics {
   std::vector<Vec<Dim>> wall_forces_;
   Report report_;
 
-  Reference reference_;
-  double reset_ = 0.0;  // m
+  Reference<Dim> reference_;
+  double reset_ = 0.0;       // m
+  double relaxation_ = 0.0;  // m
   NodeSystem<Dim> system_;
   DirectSolver solver_;
 };

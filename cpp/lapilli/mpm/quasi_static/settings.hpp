@@ -63,6 +63,7 @@ struct WallSettings {
   SurfaceSettings surface;
   std::vector<Value> displacement;  // m, one value an axis, from where it stands at time 0; numbers
                                     // and tables carry the wall along, functions of place leave it
+  Value advance = 0.0;              // m, of the face into the material, along its normal
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -75,6 +76,9 @@ struct WallSettings {
               .length(0, 3)
               .text("of the wall since time 0, one value an axis; empty: it stands"),
           self.displacement);
+    visit(Key("advance").unit("m").text(
+              "of the face along its normal into the material since time 0: a hole that widens"),
+          self.advance);
   }
 };
 
@@ -101,12 +105,13 @@ struct TractionSettings {
 /// elastic bodies; plane strain in two dimensions.
 struct QuasiStaticSettings {
   WallForm wall_form = WallForm::mean_gap;
-  std::optional<double> bandwidth;  // cells, of the stiff constraint; 1e-3, literal 1e-6
-  double gap_bandwidth = 0.05;      // cells, of the moderate constraint: mean-gap and nitsche
-  std::optional<double> ghost;      // stabilisation of cut and surface cells; 0.01, literal 0
-  bool hold_empty_cells = true;     // a wall in an empty cell next to material keeps its hold
-  std::optional<double> reset;      // cells a point moves before the grid is reset; 0.1, literal 0
-  bool rebalance = true;            // balance once more where a step makes a reset due; literal not
+  std::optional<double> bandwidth;   // cells, of the stiff constraint; 1e-3, literal 1e-6
+  double gap_bandwidth = 0.05;       // cells, of the moderate constraint: mean-gap and nitsche
+  std::optional<double> ghost;       // stabilisation of cut and surface cells; 0.01, literal 0
+  bool hold_empty_cells = true;      // a wall in an empty cell next to material keeps its hold
+  std::optional<double> reset;       // cells a point moves before the grid is reset; 0.1, literal 0
+  std::optional<double> relaxation;  // cells of motion that take up what a reset leaves; 1,
+                                     // literal 0
   double largest_penetration = 0.5;  // cells; a point further behind a wall fails the load step
   std::vector<Value> body_force;     // N/m^3, one value an axis
   double tolerance = 1e-10;          // of the out-of-balance force, relative
@@ -138,11 +143,13 @@ struct QuasiStaticSettings {
               "points keep their shape functions until one has moved this far; absent: 0.1, "
               "literal 0"),
           self.reset);
-    visit(Key("rebalance")
-              .text("a step after which the grid is reset balances once more on the new grid, so "
-                    "that the "
-                    "next step starts from equilibrium; literal never does"),
-          self.rebalance);
+    visit(
+        Key("relaxation")
+            .unit("cells")
+            .range(0.0, 100.0)
+            .text("forces that a reset of the grid leaves out of balance are taken up while points "
+                  "move this far; absent: 1, literal 0 (at once)"),
+        self.relaxation);
     visit(Key("largest_penetration")
               .unit("cells")
               .positive()

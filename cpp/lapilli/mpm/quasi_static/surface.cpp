@@ -4,22 +4,14 @@
 #include <algorithm>
 #include <optional>
 
+#include "lapilli/mpm/quasi_static/surface_piece.hpp"
+
 namespace lapilli {
 namespace {
 
 constexpr double nudge = 1e-7;  // cells; how far inside the material its cell is looked up
 
 constexpr double slight_bend = 0.8;  // cosine between normals of one facet
-
-template <int Dim>
-using Piece = std::vector<Vec<Dim>>;  // ends of a straight piece, or corners of a flat convex one
-
-template <int Dim>
-Vec3 in_space(const Vec<Dim>& place) {
-  Vec3 at = Vec3::Zero();
-  at.head<Dim>() = place;
-  return at;
-}
 
 template <int Dim>
 bool inside(const Grid<Dim>& grid, const typename Grid<Dim>::Cell& cell) {
@@ -29,117 +21,6 @@ bool inside(const Grid<Dim>& grid, const typename Grid<Dim>::Cell& cell) {
     }
   }
   return true;
-}
-
-/// Share of the way from `a` to `b` where a function that changes sign is zero (Illinois method).
-template <class Function>
-double zero_between(const Function& function, double at_a, double at_b) {
-  double low = 0.0, high = 1.0, middle = 0.5;
-  int side = 0;
-  for (int round = 0; round < 60 && high - low > 1e-16; ++round) {
-    middle = std::clamp((low * at_b - high * at_a) / (at_b - at_a), low, high);
-    const double value = function(middle);
-    if (value == 0.0) {
-      return middle;
-    }
-    if ((value > 0.0) == (at_b > 0.0)) {
-      high = middle;
-      at_b = value;
-      at_a *= side == -1 ? 0.5 : 1.0;
-      side = -1;
-    } else {
-      low = middle;
-      at_a = value;
-      at_b *= side == 1 ? 0.5 : 1.0;
-      side = 1;
-    }
-  }
-  return middle;
-}
-
-/// The part of a piece where `region` is positive.
-template <int Dim>
-Piece<Dim> trim(const Piece<Dim>& piece, const std::function<double(const Vec3&)>& region,
-                double slack) {
-  const std::size_t count = piece.size();
-  std::vector<double> value(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    value[k] = region(in_space<Dim>(piece[k]));
-    value[k] = std::abs(value[k]) <= slack ? 0.0 : value[k];
-  }
-  Piece<Dim> kept;
-  const std::size_t sides = Dim == 2 ? count - 1 : count;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (value[k] >= 0.0) {
-      kept.push_back(piece[k]);
-    }
-    const std::size_t next = (k + 1) % count;
-    if (k < sides && value[k] * value[next] < 0.0) {
-      const auto along = [&](double share) {
-        return region(in_space<Dim>(piece[k] + share * (piece[next] - piece[k])));
-      };
-      kept.push_back(piece[k] +
-                     zero_between(along, value[k], value[next]) * (piece[next] - piece[k]));
-    }
-  }
-  return kept;
-}
-
-struct FlatPoint {
-  std::array<double, 3> share;  // of the corners
-  double weight;                // of the area
-};
-
-/// Three Gauss points on a segment; seven of degree 5 on a triangle (Radon 1948).
-template <int Dim>
-const std::vector<FlatPoint>& flat_rule() {
-  static const std::vector<FlatPoint> rule = [] {
-    std::vector<FlatPoint> points;
-    if constexpr (Dim == 2) {
-      const double off = std::sqrt(0.15);
-      for (const auto& [x, w] : {std::pair(0.5 - off, 5.0 / 18.0), std::pair(0.5, 8.0 / 18.0),
-                                 std::pair(0.5 + off, 5.0 / 18.0)}) {
-        points.push_back({{1.0 - x, x, 0.0}, w});
-      }
-    } else {
-      const double root = std::sqrt(15.0);
-      points.push_back({{1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}, 9.0 / 40.0});
-      for (const double sign : {1.0, -1.0}) {
-        const double b = (6.0 + sign * root) / 21.0, w = (155.0 + sign * root) / 1200.0;
-        for (int corner = 0; corner < 3; ++corner) {
-          FlatPoint point{{b, b, b}, w};
-          point.share[corner] = 1.0 - 2.0 * b;
-          points.push_back(point);
-        }
-      }
-    }
-    return points;
-  }();
-  return rule;
-}
-
-/// Points of integration of a flat piece with unit normal `normal`.
-template <int Dim>
-void add_points(const Piece<Dim>& piece, const Vec<Dim>& normal,
-                std::vector<SurfacePoint<Dim>>& points) {
-  if constexpr (Dim == 2) {
-    if (piece.size() < 2) {
-      return;
-    }
-    const Vec<2> along = piece.back() - piece.front();
-    for (const FlatPoint& rule : flat_rule<2>()) {
-      points.push_back({piece.front() + rule.share[1] * along, normal, rule.weight * along.norm()});
-    }
-  } else {
-    for (std::size_t k = 1; k + 1 < piece.size(); ++k) {
-      const double area = 0.5 * (piece[k] - piece[0]).cross(piece[k + 1] - piece[0]).norm();
-      for (const FlatPoint& rule : flat_rule<3>()) {
-        points.push_back(
-            {rule.share[0] * piece[0] + rule.share[1] * piece[k] + rule.share[2] * piece[k + 1],
-             normal, rule.weight * area});
-      }
-    }
-  }
 }
 
 /// Move a point of a flat piece onto the surface along the normal of the piece, and let it stand

@@ -12,13 +12,14 @@ from lapilli.references.elastic import Elastic, contained_block
 from lapilli.reproduce.case import Case, Row, example, within
 from lapilli.reproduce.ib.balance import MODES, Balance, balance, in_form, in_mode, section
 from lapilli.reproduce.ib.frame import Frame, grid_around, ramp
+from lapilli.reproduce.ib.rows import near, rows_of
 
 NAME = "ib/block"
 SIZE = 0.1  # m
 PUSH = 1e-3  # m
 ANGLES = (0, 30, 45, 90)  # degree
 BANDWIDTHS = (1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)  # cells
-CELLS = (0.05, 0.025, 0.0125)  # m
+CELLS = (0.05, 0.025, 0.0125, 0.00625)  # m
 MATERIAL = Elastic(young=1e9, poisson=0.3)
 # Table 1: mean relative errors of displacement and of the stress along the motion.
 PAPER = {
@@ -27,6 +28,7 @@ PAPER = {
     45: (2.036e-9, 9.133e-9),
     30: (1.173e-8, 1.299e-8),
 }
+row = rows_of(NAME)
 ALIGNED_BAR, INCLINED_BAR, DEFAULT_BAR = 1e-12, 1e-9, 1e-11
 
 
@@ -94,14 +96,21 @@ def angle_rows(degrees: float, mode: str) -> list[Row]:
     setting = f"{degrees:g} degrees, {mode}"
     paper = PAPER[int(degrees)]
     rows = [
-        _row(setting, f"stress {name}", "MPa", None, exact / 1e6, value / 1e6, exact / 1e6 * 1e-9)
+        row(
+            setting,
+            f"stress {name}",
+            value / 1e6,
+            near(value / exact, 1, 1e-9),
+            unit="MPa",
+            reference=exact / 1e6,
+        )
         for name, exact, value in (("along", along, found.along), ("across", across, found.across))
     ]
-    return [
-        *rows,
-        _row(setting, "mean error of displacement", "", paper[0], 0.0, found.displacement, bar),
-        _row(setting, "mean error of stress", "", paper[1], 0.0, found.stress, bar),
-    ]
+    for k, name in enumerate(("displacement", "stress")):
+        error = getattr(found, name)
+        quantity = f"mean error of {name}"
+        rows.append(row(setting, quantity, error, within(error, bar), paper=paper[k]))
+    return rows
 
 
 def bandwidth_row(bandwidth: float) -> Row:
@@ -110,37 +119,14 @@ def bandwidth_row(bandwidth: float) -> Row:
     bar = 1e-13 + 1e-15 / bandwidth
     found = solved(scene, 30).displacement
     setting = f"30 degrees, pointwise, bandwidth {bandwidth:g} cells"
-    return _row(setting, "mean error of displacement", "", None, 0.0, found, bar)
+    return row(setting, "mean error of displacement", found, within(found, bar))
 
 
 def cell_row(cell: float) -> Row:
     """Default: the exact field is linear, so that no cell size is better than another."""
     found = solved(block_scene(30, cell), 30).displacement
     setting = f"30 degrees, default, h = {1e3 * cell:g} mm"
-    return _row(setting, "mean error of displacement", "", None, 0.0, found, DEFAULT_BAR)
-
-
-def _row(
-    setting: str,
-    quantity: str,
-    unit: str,
-    paper: float | None,
-    reference: float,
-    found: float,
-    bar: float,
-) -> Row:
-    words, ok = within(found - reference, bar)
-    return Row(
-        case=NAME,
-        setting=setting,
-        quantity=quantity,
-        unit=unit,
-        paper=paper,
-        reference=reference,
-        lapilli=found,
-        bar=words,
-        ok=ok,
-    )
+    return row(setting, "mean error of displacement", found, within(found, DEFAULT_BAR))
 
 
 def plot(folder: Path, quick: bool) -> list[Path]:

@@ -1,0 +1,151 @@
+#include "lapilli/mpm/quasi_static/boundary.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace lapilli {
+namespace {
+
+template <int Dim>
+Vec3 in_space(const Vec<Dim>& place) {
+  Vec3 at = Vec3::Zero();
+  at.head<Dim>() = place;
+  return at;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<Vec<Dim>> values_at(const std::vector<Value>& law, const std::vector<Vec3>& places,
+                                double time) {
+  std::vector<Vec<Dim>> vectors(places.size(), Vec<Dim>::Zero());
+  std::vector<double> values(places.size());
+  for (std::size_t axis = 0; axis < law.size(); ++axis) {
+    law[axis].evaluate(places, {}, time, values);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      vectors[k][static_cast<int>(axis)] = values[k];
+    }
+  }
+  return vectors;
+}
+
+template <int Dim>
+Boundary<Dim>::Boundary(const QuasiStaticSettings& settings) : settings_(settings) {
+  for (const WallSettings& wall : settings.walls) {
+    names_.push_back(wall.name.empty() ? message(names_.size() + 1) : wall.name);
+    kinds_.push_back(wall.kind);
+    walls_.emplace_back(wall.surface, wall.displacement, "wall '" + names_.back() + "'",
+                        wall.advance);
+  }
+  for (const TractionSettings& traction : settings.tractions) {
+    require(traction.traction.size() <= Dim, "traction '", traction.name, "' has ",
+            traction.traction.size(), " values, the scene has ", Dim, " axes");
+    tractions_.emplace_back(traction.surface, std::vector<Value>{},
+                            "traction '" + traction.name + "'");
+  }
+}
+
+template <int Dim>
+std::vector<Facet<Dim>> Boundary<Dim>::cut_walls(const Grid<Dim>& grid, CellState<Dim>& state,
+                                                 double time) const {
+  const std::vector<char> near = cells_near_material(grid, state);
+  std::vector<const MovingSurface<Dim>*> solids;
+  for (const auto& wall : walls_) {
+    solids.push_back(&wall);
+  }
+  std::vector<Facet<Dim>> all;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    std::vector<Facet<Dim>> facets = facets_at_material(
+        grid, state, walls_[w].cut(grid, near, static_cast<int>(w), time, solids),
+        settings_.hold_empty_cells);
+    if (facets.empty()) {
+      throw RunError(message(walls_[w].what(), " cuts no material",
+                             settings_.hold_empty_cells ? "" : " (hold_empty_cells is off)",
+                             ": move it to the body's surface, or check on which side of it the "
+                             "material is"));
+    }
+    all.insert(all.end(), facets.begin(), facets.end());
+  }
+  return all;
+}
+
+template <int Dim>
+void Boundary<Dim>::add_tractions(const Grid<Dim>& grid, const CellState<Dim>& state, double time,
+                                  Loads<Dim>& loads) const {
+  for (std::size_t t = 0; t < tractions_.size(); ++t) {
+    std::vector<Facet<Dim>> facets =
+        tractions_[t].cut(grid, state.occupied, static_cast<int>(t), time, {});
+    if (facets.empty()) {
+      throw RunError(message(tractions_[t].what(), " meets no material"));
+    }
+    for (Facet<Dim>& facet : facets) {
+      std::vector<Vec3> places;
+      for (const auto& point : facet.points) {
+        places.push_back(in_space<Dim>(point.position));
+      }
+      loads.tractions.push_back(values_at<Dim>(settings_.tractions[t].traction, places, time));
+      loads.traction_faces.push_back(std::move(facet));
+    }
+  }
+}
+
+template <int Dim>
+std::string Boundary<Dim>::nearest_wall(const Vec<Dim>& place) const {
+  std::string near = "no wall";
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& wall : walls_) {
+    const auto gap = wall.gap(in_space<Dim>(place), 0.0);
+    if (gap && std::abs(*gap) < least) {
+      least = std::abs(*gap);
+      near = wall.what();
+    }
+  }
+  return near;
+}
+
+template <int Dim>
+double Boundary<Dim>::deepest_penetration(const Grid<Dim>& grid, const Points& points,
+                                          const std::vector<Vec<Dim>>& moves, double from,
+                                          double to) const {
+  const double limit = settings_.largest_penetration * grid.cell_size();
+  double deepest = 0.0;
+  for (Index p = 0; p < points.size(); ++p) {
+    const Vec<Dim> before = points.position<Dim>(p), after = before + moves[p];
+    if (!grid.contains(after)) {
+      throw LoadStepFailed(message("point ", points.id()[p], " leaves the grid at ",
+                                   after.transpose(), " m: enlarge the grid or lower the load"));
+    }
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+      const MovingSurface<Dim>& wall = walls_[w];
+      if (kinds_[w] == HeldMotion::tangent) {
+        continue;  // free across its face
+      }
+      const auto start = wall.gap(in_space<Dim>(before), from);
+      if (!start || *start < -limit) {
+        continue;
+      }
+      const auto end = wall.gap(in_space<Dim>(after), to);
+      if (!end || -*end <= deepest) {
+        continue;
+      }
+      deepest = -*end;
+      if (deepest > limit) {
+        throw LoadStepFailed(message(
+            "point ", points.id()[p], " is pushed ", deepest, " m through ", wall.what(), " at ",
+            after.transpose(), " m, more than largest_penetration of ",
+            settings_.largest_penetration,
+            " cells: take smaller load steps, more points per cell or gimp shape functions"));
+      }
+    }
+  }
+  return deepest;
+}
+
+template std::vector<Vec<2>> values_at<2>(const std::vector<Value>&, const std::vector<Vec3>&,
+                                          double);
+template std::vector<Vec<3>> values_at<3>(const std::vector<Value>&, const std::vector<Vec3>&,
+                                          double);
+template class Boundary<2>;
+template class Boundary<3>;
+
+}  // namespace lapilli

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lapilli/core/points.hpp"
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/quasi_static/equilibrium.hpp"
+#include "lapilli/mpm/quasi_static/moving_surface.hpp"
+
+namespace lapilli {
+
+/// A load step that may succeed when it is made smaller.
+class LoadStepFailed : public RunError {
+ public:
+  using RunError::RunError;
+};
+
+/// A vector law at some places and a time.
+template <int Dim>
+std::vector<Vec<Dim>> values_at(const std::vector<Value>& law, const std::vector<Vec3>& places,
+                                double time);
+
+/// The walls and tractions of a scene.
+template <int Dim>
+class Boundary {
+ public:
+  /// Throws std::invalid_argument for surfaces and laws that cannot be used. `settings` must
+  /// outlive it.
+  explicit Boundary(const QuasiStaticSettings& settings);
+
+  std::size_t walls() const { return walls_.size(); }
+  const MovingSurface<Dim>& wall(std::size_t w) const { return walls_[w]; }
+  std::span<const HeldMotion> kinds() const { return kinds_; }
+  std::span<const std::string> names() const { return names_; }
+
+  /// The facets of all walls where they stand at a time and hold material; `state` gets the moduli
+  /// of empty cells. Throws RunError naming a wall that cuts no material.
+  std::vector<Facet<Dim>> cut_walls(const Grid<Dim>& grid, CellState<Dim>& state,
+                                    double time) const;
+
+  /// Add the tractions of a time. Throws RunError naming one that meets no material.
+  void add_tractions(const Grid<Dim>& grid, const CellState<Dim>& state, double time,
+                     Loads<Dim>& loads) const;
+
+  /// The wall whose face is nearest to a place at time 0, in words.
+  std::string nearest_wall(const Vec<Dim>& place) const;
+
+  /// How deep the deepest point goes behind a wall it was in front of when the points move by
+  /// `moves` from one time to another, m. Throws LoadStepFailed beyond `largest_penetration`, and
+  /// for points that leave the grid.
+  double deepest_penetration(const Grid<Dim>& grid, const Points& points,
+                             const std::vector<Vec<Dim>>& moves, double from, double to) const;
+
+ private:
+  const QuasiStaticSettings& settings_;
+  std::vector<MovingSurface<Dim>> walls_, tractions_;
+  std::vector<HeldMotion> kinds_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace lapilli

@@ -1,0 +1,71 @@
+#include "lapilli/mpm/quasi_static/quasi_static.hpp"
+
+#include <utility>
+
+namespace lapilli {
+
+template <int Dim>
+std::vector<Field> QuasiStatic<Dim>::fields() {
+  return {{"displacement", "m", Dim, displacement_.values()},
+          {"stress", "Pa", 6, stress_.values()}};
+}
+
+template <int Dim>
+void QuasiStatic<Dim>::save(Archive& archive) const {
+  archive.write("quasi_static/stress", stress_.values());
+  archive.write("quasi_static/displacement", displacement_.values());
+  std::vector<double> forces;
+  for (const Vec<Dim>& force : wall_forces_) {
+    forces.insert(forces.end(), force.data(), force.data() + Dim);
+  }
+  archive.write("quasi_static/wall_forces", std::span<const double>(forces));
+  if (half_width_) {
+    archive.write("quasi_static/half_width", std::as_const(*half_width_).values());
+  }
+  reference_.save(archive);
+}
+
+template <int Dim>
+void QuasiStatic<Dim>::load(const Archive& archive) {
+  archive.read("quasi_static/stress", stress_.values());
+  archive.read("quasi_static/displacement", displacement_.values());
+  const std::vector<double> forces = archive.read_numbers("quasi_static/wall_forces");
+  for (std::size_t w = 0; w < wall_forces_.size(); ++w) {
+    wall_forces_[w] = Eigen::Map<const Vec<Dim>>(forces.data() + Dim * w);
+  }
+  if (half_width_) {
+    archive.read("quasi_static/half_width", half_width_->values());
+  }
+  reference_.scheme = scheme_;
+  reference_.load(archive);
+  reference_.locate(grid_, points_, materials_, boundary_);
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() const {
+  std::vector<std::pair<std::string, double>> numbers{
+      {"iterations", report_.newton.iterations},    {"residual", report_.newton.residual},
+      {"smallest pivot", report_.pivots.smallest},  {"largest pivot", report_.pivots.largest},
+      {"condition estimate", report_.condition},    {"halvings", report_.halvings},
+      {"deepest penetration", report_.penetration},
+  };
+  const char* axes[] = {"x", "y", "z"};
+  for (std::size_t w = 0; w < boundary_.walls(); ++w) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      numbers.emplace_back("force of " + boundary_.wall(w).what() + " along " + axes[axis],
+                           wall_forces_[w][axis]);
+    }
+  }
+  return numbers;
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                \
+  template std::vector<Field> QuasiStatic<Dim>::fields();       \
+  template void QuasiStatic<Dim>::save(Archive& archive) const; \
+  template void QuasiStatic<Dim>::load(const Archive& archive); \
+  template std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() const;
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+}  // namespace lapilli
