@@ -1680,19 +1680,29 @@ class ImplicitWall:
         the part of the surface that counts; absent: all of it
     displacement : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], m, default ()
         of the wall since time 0, one value an axis; empty: it stands
+    advance : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], m, default 0.0
+        of the face along its normal into the material since time 0: a hole that widens
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, name: str = ..., kind: typing.Literal['fixed', 'roller', 'tangent'] = ..., shape: Shape | None = ..., inside: bool = ..., line: collections.abc.Sequence[collections.abc.Sequence[float]] = ..., within: Shape | None = ..., displacement: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ...) -> None:
+    def __init__(self, *, name: str = ..., kind: typing.Literal['fixed', 'roller', 'tangent'] = ..., shape: Shape | None = ..., inside: bool = ..., line: collections.abc.Sequence[collections.abc.Sequence[float]] = ..., within: Shape | None = ..., displacement: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., advance: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
     def __setattr__(self, name: str, value: typing.Any) -> None:
         ...
     def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def advance(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        of the face along its normal into the material since time 0: a hole that widens, m
+        """
+    @advance.setter
+    def advance(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
         ...
     @property
     def displacement(self) -> collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]:
@@ -1848,8 +1858,8 @@ class QuasiStatic:
         a wall in an empty cell next to material keeps its hold
     reset : float | None, cells, default None
         points keep their shape functions until one has moved this far; absent: 0.1, literal 0; from 0 to 1 (cells)
-    rebalance : bool, default True
-        a step after which the grid is reset balances once more on the new grid, so that the next step starts from equilibrium; literal never does
+    relaxation : float | None, cells, default None
+        forces that a reset of the grid leaves out of balance are taken up while points move this far; absent: 1, literal 0 (at once); from 0 to 100 (cells)
     largest_penetration : float, cells, default 0.5
         a point further behind a wall fails the load step; above 0 (cells)
     body_force : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], N/m^3, default ()
@@ -1870,7 +1880,7 @@ class QuasiStatic:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, wall_form: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'] = ..., bandwidth: float | None = ..., gap_bandwidth: float = ..., ghost: float | None = ..., hold_empty_cells: bool = ..., reset: float | None = ..., rebalance: bool = ..., largest_penetration: float = ..., body_force: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., tolerance: float = ..., largest_iterations: int = ..., largest_halvings: int = ..., walls: list[ImplicitWall] = ..., tractions: list[SurfaceTraction] = ...) -> None:
+    def __init__(self, *, wall_form: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'] = ..., bandwidth: float | None = ..., gap_bandwidth: float = ..., ghost: float | None = ..., hold_empty_cells: bool = ..., reset: float | None = ..., relaxation: float | None = ..., largest_penetration: float = ..., body_force: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., tolerance: float = ..., largest_iterations: int = ..., largest_halvings: int = ..., walls: list[ImplicitWall] = ..., tractions: list[SurfaceTraction] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -1943,12 +1953,12 @@ class QuasiStatic:
     def largest_penetration(self, value: float) -> None:
         ...
     @property
-    def rebalance(self) -> bool:
+    def relaxation(self) -> float | None:
         """
-        a step after which the grid is reset balances once more on the new grid, so that the next step starts from equilibrium; literal never does
+        forces that a reset of the grid leaves out of balance are taken up while points move this far; absent: 1, literal 0 (at once), cells
         """
-    @rebalance.setter
-    def rebalance(self, value: bool) -> None:
+    @relaxation.setter
+    def relaxation(self, value: float | None) -> None:
         ...
     @property
     def reset(self) -> float | None:

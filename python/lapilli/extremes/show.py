@@ -10,7 +10,13 @@ from pathlib import Path
 from lapilli.extremes.cases import TRANSFERS, all_cases
 from lapilli.extremes.picture import draw, print_map
 from lapilli.extremes.steps import FACTORS, Outcome, Row, measure
-from lapilli.extremes.supports import SupportRow, measure_support, print_supports, support_cases
+from lapilli.extremes.supports import (
+    SupportRow,
+    is_astray,
+    measure_support,
+    print_supports,
+    support_cases,
+)
 
 
 def show_extremes(given: argparse.Namespace) -> bool:
@@ -43,7 +49,7 @@ def show_extremes(given: argparse.Namespace) -> bool:
             f"unstable at {row.factor:g} of the automatic step: {row.case.transfer}, "
             f"{row.case.name}: {row.reason or f'strays {row.stray:.3g}'}"
         )
-    astray = [row for row in walls if row.outcome is not Outcome.STABLE]
+    astray = [row for row in walls if is_astray(row)]
     for wall in astray:
         error = wall.reason or f"error {wall.error:.3g}, bar {wall.bar:.3g}"
         print(f"{wall.outcome}: {wall.case.form}, {wall.case.name}: {error}")

@@ -81,7 +81,7 @@ def drift(scene: lp.Scene, hold: int = 20) -> tuple[float, float]:
 def test_nothing_happens_while_nothing_moves(reset: float) -> None:
     """Hold steps after loading, the grid reset at every step or when points have moved: the block
     within 1e-6, cantilever and footing within 1e-3 RMS; what is left is the rounding of the solve.
-    At once (relaxation = 0) a reset changes the block's stress by more than 1e-2."""
+    Solved for at once (relaxation = 0), a reset changes the block's stress by more than 1e-2."""
     scenes = [
         block.block_scene(30, 0.005).set("time.steps=4"),
         cantilever.cantilever_scene(45, 0.004, 2, 2e7, 10),
@@ -90,5 +90,5 @@ def test_nothing_happens_while_nothing_moves(reset: float) -> None:
     for scene, bar in zip(scenes, (1e-6, 1e-3, 1e-3), strict=True):
         section(scene).reset = reset
         assert drift(scene)[1] <= bar
-    at_once = scenes[0].set("quasi_static.relaxation=0")
-    assert drift(at_once)[0] > 1e-2
+    if reset == 0.0:
+        assert drift(scenes[0].set("quasi_static.relaxation=0"))[0] > 1e-2

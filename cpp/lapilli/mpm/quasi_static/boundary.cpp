@@ -104,35 +104,47 @@ std::string Boundary<Dim>::nearest_wall(const Vec<Dim>& place) const {
 }
 
 template <int Dim>
+void Boundary<Dim>::guard(const Grid<Dim>& grid, const Points& points, double time,
+                          std::span<double> guarded) const {
+  const double slack = 1e-9 * grid.cell_size();
+  for (Index p = 0; p < points.size(); ++p) {
+    const Vec3 place = in_space<Dim>(points.position<Dim>(p));
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+      if (kinds_[w] == HeldMotion::tangent) {
+        continue;  // free across its face
+      }
+      double& mark = guarded[p * walls_.size() + w];
+      const auto gap = walls_[w].gap(place, time);
+      mark = gap && (mark > 0.0 || *gap >= -slack) ? 1.0 : 0.0;
+    }
+  }
+}
+
+template <int Dim>
 double Boundary<Dim>::deepest_penetration(const Grid<Dim>& grid, const Points& points,
-                                          const std::vector<Vec<Dim>>& moves, double from,
-                                          double to) const {
+                                          const std::vector<Vec<Dim>>& moves, double to,
+                                          std::span<const double> guarded) const {
   const double limit = settings_.largest_penetration * grid.cell_size();
   double deepest = 0.0;
   for (Index p = 0; p < points.size(); ++p) {
-    const Vec<Dim> before = points.position<Dim>(p), after = before + moves[p];
+    const Vec<Dim> after = points.position<Dim>(p) + moves[p];
     if (!grid.contains(after)) {
       throw LoadStepFailed(message("point ", points.id()[p], " leaves the grid at ",
                                    after.transpose(), " m: enlarge the grid or lower the load"));
     }
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-      const MovingSurface<Dim>& wall = walls_[w];
-      if (kinds_[w] == HeldMotion::tangent) {
-        continue;  // free across its face
-      }
-      const auto start = wall.gap(in_space<Dim>(before), from);
-      if (!start || *start < -limit) {
+      if (guarded[p * walls_.size() + w] == 0.0) {
         continue;
       }
-      const auto end = wall.gap(in_space<Dim>(after), to);
-      if (!end || -*end <= deepest) {
+      const auto gap = walls_[w].gap(in_space<Dim>(after), to);
+      if (!gap || -*gap <= deepest) {
         continue;
       }
-      deepest = -*end;
+      deepest = -*gap;
       if (deepest > limit) {
         throw LoadStepFailed(message(
-            "point ", points.id()[p], " is pushed ", deepest, " m through ", wall.what(), " at ",
-            after.transpose(), " m, more than largest_penetration of ",
+            "point ", points.id()[p], " is pushed ", deepest, " m through ", walls_[w].what(),
+            " at ", after.transpose(), " m, more than largest_penetration of ",
             settings_.largest_penetration,
             " cells: take smaller load steps, more points per cell or gimp shape functions"));
       }

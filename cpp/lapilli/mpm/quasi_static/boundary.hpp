@@ -47,11 +47,17 @@ class Boundary {
   /// The wall whose face is nearest to a place at time 0, in words.
   std::string nearest_wall(const Vec<Dim>& place) const;
 
-  /// How deep the deepest point goes behind a wall it was in front of when the points move by
-  /// `moves` from one time to another, m. Throws LoadStepFailed beyond `largest_penetration`, and
-  /// for points that leave the grid.
+  /// Mark in `guarded` (rows x walls, 0 or 1) the points a wall must keep in front: those that are
+  /// in front of it, or were before they went behind. Points that come from beside it are not.
+  void guard(const Grid<Dim>& grid, const Points& points, double time,
+             std::span<double> guarded) const;
+
+  /// How deep the deepest guarded point goes behind its wall when the points move by `moves` until
+  /// `to`, m. Throws LoadStepFailed beyond `largest_penetration`, and for points that leave the
+  /// grid.
   double deepest_penetration(const Grid<Dim>& grid, const Points& points,
-                             const std::vector<Vec<Dim>>& moves, double from, double to) const;
+                             const std::vector<Vec<Dim>>& moves, double to,
+                             std::span<const double> guarded) const;
 
  private:
   const QuasiStaticSettings& settings_;

@@ -28,6 +28,7 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
       boundary_(settings_),
       stress_(points, 6),
       displacement_(points, Dim),
+      guarded_(points, static_cast<int>(std::max<std::size_t>(1, boundary_.walls()))),
       wall_forces_(boundary_.walls(), Vec<Dim>::Zero()),
       reference_(points, shape_function == ShapeFunction::gimp) {
   require(points.dimension() == Dim && points.size() > 0, "quasi_static needs points of dimension ",
@@ -48,7 +49,7 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
           settings_.gap_bandwidth, " cells");
   scheme_ = WallScheme::of(settings_.wall_form, bandwidth, settings_.gap_bandwidth);
   ghost_ = settings_.ghost.value_or(literal ? 0.0 : 0.01);
-  relaxation_ = settings_.relaxation.value_or(literal ? 0.0 : 1.0) * grid_.cell_size();
+  relaxation_ = settings_.relaxation.value_or(literal ? 0.0 : 0.5) * grid_.cell_size();
   reset_ = settings_.reset.value_or(literal ? 0.0 : 0.1) * grid_.cell_size();
   require(reset_ >= 0.0, "quasi_static: reset must not be negative, got ", *settings_.reset);
   require(ghost_ >= 0.0, "quasi_static: ghost must not be negative, got ", ghost_);
@@ -64,6 +65,7 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
                   std::clamp(width, least_half_width * h, largest_half_width * h));
     }
   }
+  boundary_.guard(grid_, points_, 0.0, guarded_.values());
   try {
     reset_grid(0.0);
   } catch (const RunError& error) {
@@ -123,12 +125,14 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::attempt(double from, double 
     u = solve(equilibrium, report);
     moves = moves_of(equilibrium, u);
   }
-  report.penetration = boundary_.deepest_penetration(grid_, points_, moves, from, to);
+  report.penetration =
+      boundary_.deepest_penetration(grid_, points_, moves, to, std::as_const(guarded_).values());
   wall_forces_ = equilibrium.wall_forces(u, static_cast<int>(boundary_.walls()));
   for (std::size_t w = 0; w < wall_forces_.size(); ++w) {
     wall_forces_[w] += carried * reference_.wall_forces[w];
   }
   update_points(equilibrium, u, moves);
+  boundary_.guard(grid_, points_, to, guarded_.values());
   reference_.moved = loads.since_reset.size() > 0 ? Eigen::VectorXd(loads.since_reset + u) : u;
   return report;
 }

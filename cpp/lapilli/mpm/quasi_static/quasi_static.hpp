@@ -74,6 +74,7 @@ class QuasiStatic final : public Physics {
 
   PointArray stress_;                       // Pa, rows x 6
   PointArray displacement_;                 // m, rows x Dim
+  PointArray guarded_;                      // rows x walls: 1 where a wall must keep the point
   std::unique_ptr<PointArray> half_width_;  // m, rows x Dim, of GIMP
   std::vector<Vec<Dim>> wall_forces_;
   Report report_;

@@ -14,6 +14,7 @@ template <int Dim>
 void QuasiStatic<Dim>::save(Archive& archive) const {
   archive.write("quasi_static/stress", stress_.values());
   archive.write("quasi_static/displacement", displacement_.values());
+  archive.write("quasi_static/guarded", guarded_.values());
   std::vector<double> forces;
   for (const Vec<Dim>& force : wall_forces_) {
     forces.insert(forces.end(), force.data(), force.data() + Dim);
@@ -29,6 +30,7 @@ template <int Dim>
 void QuasiStatic<Dim>::load(const Archive& archive) {
   archive.read("quasi_static/stress", stress_.values());
   archive.read("quasi_static/displacement", displacement_.values());
+  archive.read("quasi_static/guarded", guarded_.values());
   const std::vector<double> forces = archive.read_numbers("quasi_static/wall_forces");
   for (std::size_t w = 0; w < wall_forces_.size(); ++w) {
     wall_forces_[w] = Eigen::Map<const Vec<Dim>>(forces.data() + Dim * w);

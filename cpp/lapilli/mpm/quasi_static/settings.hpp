@@ -110,7 +110,7 @@ struct QuasiStaticSettings {
   std::optional<double> ghost;       // stabilisation of cut and surface cells; 0.01, literal 0
   bool hold_empty_cells = true;      // a wall in an empty cell next to material keeps its hold
   std::optional<double> reset;       // cells a point moves before the grid is reset; 0.1, literal 0
-  std::optional<double> relaxation;  // cells of motion that take up what a reset leaves; 1,
+  std::optional<double> relaxation;  // cells of motion that take up what a reset leaves; 0.5,
                                      // literal 0
   double largest_penetration = 0.5;  // cells; a point further behind a wall fails the load step
   std::vector<Value> body_force;     // N/m^3, one value an axis
@@ -148,7 +148,7 @@ struct QuasiStaticSettings {
             .unit("cells")
             .range(0.0, 100.0)
             .text("forces that a reset of the grid leaves out of balance are taken up while points "
-                  "move this far; absent: 1, literal 0 (at once)"),
+                  "move this far; absent: 0.5, literal 0 (at once)"),
         self.relaxation);
     visit(Key("largest_penetration")
               .unit("cells")
