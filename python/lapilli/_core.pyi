@@ -1859,7 +1859,7 @@ class QuasiStatic:
     reset : float | None, cells, default None
         points keep their shape functions until one has moved this far; absent: 0.1, literal 0; from 0 to 1 (cells)
     relaxation : float | None, cells, default None
-        forces that a reset of the grid leaves out of balance are taken up while points move this far; absent: 1, literal 0 (at once); from 0 to 100 (cells)
+        forces that a reset of the grid leaves out of balance are taken up while points move this far; absent: 0.5, literal 0 (at once); from 0 to 100 (cells)
     largest_penetration : float, cells, default 0.5
         a point further behind a wall fails the load step; above 0 (cells)
     body_force : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], N/m^3, default ()
@@ -1955,7 +1955,7 @@ class QuasiStatic:
     @property
     def relaxation(self) -> float | None:
         """
-        forces that a reset of the grid leaves out of balance are taken up while points move this far; absent: 1, literal 0 (at once), cells
+        forces that a reset of the grid leaves out of balance are taken up while points move this far; absent: 0.5, literal 0 (at once), cells
         """
     @relaxation.setter
     def relaxation(self, value: float | None) -> None:

@@ -169,7 +169,7 @@ def plot(folder: Path, quick: bool) -> list[Path]:
             cmap="RdBu",
         )
     axes[0, 2].set_aspect("equal")
-    axes[0, 2].set_title("stress along the beam (MPa): 90 degrees, below 45")
+    axes[0, 2].set_title("stress along it (MPa): 90°, below 45°", fontsize=10)
     figure.colorbar(drawn, ax=axes[0, 2])
     return [save(figure, folder / "ib_cantilever.png")]
 
