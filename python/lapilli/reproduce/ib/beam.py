@@ -7,12 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
-from lapilli._core import Grid, Scene
+from lapilli._core import Grid, Points, Scene
 from lapilli.references.plane_strain import deep_beam
 from lapilli.reproduce.case import Case, Row, example
 from lapilli.reproduce.ib.balance import Balance, balance, in_form, in_mode
 from lapilli.reproduce.ib.rows import between, near, rows_of
-from lapilli.reproduce.states import changed
 
 NAME = "ib/beam"
 SIZE = 0.1  # m
@@ -46,13 +45,25 @@ row = rows_of(NAME)
 
 def beam_scene(cell: float, per_axis: int, shift: float = 0.0) -> Scene:
     """The example on another grid, whose lines are moved by `shift` to the left, m."""
-    scene = changed(example(NAME), f"bodies.0.points_per_cell={per_axis**2}")
+    scene = example(NAME)
+    if shift:
+        scene.bodies[0].points_per_cell = per_axis**2
+    else:
+        scene.bodies[0].shape = None
+        scene.bodies[0].points = boxes(SIZE / round(SIZE / cell) / per_axis)
     lower = np.array([-0.02 - shift, -0.06])
     cells = np.ceil((np.array([0.14, 0.12]) - lower) / cell - 1e-9)
     scene.grid = Grid(
         lower=list(lower), upper=list(lower + cell * cells), cell=cell, shape_function="linear"
     )
     return scene
+
+
+def boxes(size: float) -> Points:
+    """Points in the middle of equal boxes that fill the beam: any number of them in a cell."""
+    along = size * (np.arange(round(SIZE / size)) + 0.5)
+    x, y = np.meshgrid(along, along, indexing="ij")
+    return Points(np.stack([x.ravel(), y.ravel()], axis=1), np.full(x.size, size**2))
 
 
 def corner_deflection(state: Balance, cell: float, shift: float = 0.0) -> float:
