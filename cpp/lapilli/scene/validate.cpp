@@ -206,7 +206,7 @@ void check_quasi_static(const Scene& scene) {
   require_at(dimension_of(scene) > 1, scene, "quasi_static",
              "needs two or three dimensions, got 1");
   require_at(!scene.heat && !scene.peridynamics, scene, "quasi_static",
-             "cannot share a scene with ", scene.heat ? "[heat]" : "[peridynamics]",
+             "cannot share a scene with [heat] or [peridynamics]",
              ": their coupling is not modelled");
   require_at(scene.grid.shape_function != ShapeFunction::bspline, scene, "grid.shape_function",
              "must be linear or gimp where [quasi_static] is modelled, got bspline");
