@@ -9,7 +9,7 @@ import pytest
 import lapilli as lp
 from lapilli import _core
 from lapilli.reproduce.ib import block, column, footing
-from lapilli.reproduce.ib.balance import section
+from lapilli.reproduce.ib.balance import balance, section
 from lapilli.reproduce.ib.frame import Frame, ramp
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples" / "ib").glob("*.toml"))
@@ -189,3 +189,15 @@ def test_sections_that_do_not_go_together_are_refused(turned: lp.Scene) -> None:
     endless = block.block_scene(30, 0.02)
     endless.time.steps = None
     assert "time.steps" in refusal(endless)
+
+
+@pytest.mark.parametrize(("steps", "reset"), [(1, 0.1), (7, 0.1), (7, 0.0)])
+def test_walls_carry_the_weight_in_any_number_of_steps(steps: int, reset: float) -> None:
+    """On one grid for all steps and with a reset at every one, whose imbalance is carried along:
+    the walls together carry the weight to 1e-9, the residual asked for being 1e-10."""
+    scene = column.column_scene(20, 0.02).set(f"time.steps={steps}")
+    section(scene).reset = reset
+    state = balance(scene)
+    force = sum(state.wall_force(wall) for wall in ("left", "right", "base"))
+    weight = column.WEIGHT * column.SIZE**2 * Frame(20).e2
+    np.testing.assert_allclose(force, weight, rtol=0, atol=1e-9 * np.linalg.norm(weight))
