@@ -17,7 +17,7 @@ export LAPILLI_BUILD := $(CURDIR)/$(BUILD)
 INSTALL := pip install --quiet --no-build-isolation --config-settings=wheel.cmake=false \
   --config-settings=editable.mode=inplace --editable
 
-.PHONY: help demo test verify bench extremes docs lint wheel stubs build clean
+.PHONY: help demo test verify bench extremes docs lint tidy wheel stubs build clean
 
 help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -55,7 +55,7 @@ test: build  ## every test that is not slow (ctest, then pytest)
 	pytest -m 'not slow' -n $(JOBS) || failed=1; \
 	exit $$failed
 
-verify: build lint  ## slow tests, sanitizers and every case of the papers
+verify: build lint tidy  ## slow tests, sanitizers and every case of the papers
 	@tools/system_packages.sh clang-14 libomp-14-dev libclang-rt-14-dev llvm-14
 	@for tests in $(BUILD)/tests/cpp/test_*; do "$$tests" '[slow]' || exit 1; done
 	@pytest -m slow
@@ -78,6 +78,10 @@ lint: build  ## formatting, style and types
 	@ruff check python tests/python tools bench
 	@ruff format --check python tests/python tools bench
 	@mypy
+
+tidy: build  ## clang-tidy over all C++ sources (half an hour)
+	@tools/system_packages.sh clang-tidy
+	@JOBS=$(JOBS) tools/tidy.sh
 
 stubs: build  ## write python/lapilli/_core.pyi anew
 	@python tools/write_stubs.py

@@ -55,10 +55,10 @@ class PlaneStiffness {
     }
 
    private:
-    PlaneStiffness* all_;
-    Index first_ = -1;
     Quad across_y_{}, across_x_{};
     double total_ = 0.0;
+    PlaneStiffness* all_;
+    Index first_ = -1;
   };
 
  private:

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# clang-tidy over the sources that git knows under the given folders (default: all C++ of the
+# library, the executable and the bindings), with the flags of build/release.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+build=build/release
+# Options of GCC that clang does not know.
+flags=build/tidy
+mkdir -p "$flags"
+sed 's/ -Wno-aggressive-loop-optimizations//g; s/ -fno-fat-lto-objects//g; s/ -flto=auto//g; s/ -flto//g' \
+  "$build/compile_commands.json" >"$flags/compile_commands.json"
+git ls-files "${@:-cpp}" | grep '\.cpp$' |
+  xargs -P "${JOBS:-$(nproc)}" -n 1 clang-tidy -p "$flags" --quiet 2>&1 |
+  { grep -vE '^[0-9]+ warnings? (and [0-9]+ errors? )?generated|^$' || true; } | tee build/tidy.log
+! grep -qE '(error|warning):' build/tidy.log
