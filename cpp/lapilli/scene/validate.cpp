@@ -162,7 +162,7 @@ void check_momentum_body(const Scene& scene, const Body& body, int solid, const 
     const double here = std::visit([](const auto& known) { return density_of(known); }, material);
     require_at(density == 0.0 || here == 0.0 || here == density, scene, path + ".material",
                "has two densities, ", density, " and ", here,
-               " kg/m3; both are of the undeformed body and must agree");
+               " kg/m^3; both are of the undeformed body and must agree");
     density = std::max(density, here);
   }
 }

@@ -38,7 +38,7 @@ def annulus(position: Array, time: float) -> Array:
 
 
 def cantilever(position: Array, time: float, degrees: float = 45.0) -> Array:
-    """The cantilever under 1e5 N/m3, where it is linear; by finite elements of 0.25 mm."""
+    """The cantilever under 1e5 N/m^3, where it is linear; by finite elements of 0.25 mm."""
     e1 = np.array([np.cos(np.deg2rad(degrees)), np.sin(np.deg2rad(degrees))])
     axes = np.stack([e1, [-e1[1], e1[0]]])
     local = position @ axes.T + [0.0, 0.01]

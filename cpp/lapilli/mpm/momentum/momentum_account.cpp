@@ -178,7 +178,7 @@ std::vector<Field> Momentum<Dim>::fields() {
   }
   return {{"velocity", "m/s", Dim, data_.velocity.values()},
           {"stress", "Pa", 6, output_stress_},
-          {"density", "kg/m3", 1, output_density_}};
+          {"density", "kg/m^3", 1, output_density_}};
 }
 
 template double Momentum<2>::kinetic_energy() const;

@@ -125,7 +125,7 @@ Real contract(const StressMaterial& m, const Real (&trial)[components],
   return sum;
 }
 
-/// Stress times the plastic strain that a return from `trial` to `s` means, J/m3.
+/// Stress times the plastic strain that a return from `trial` to `s` means, J/m^3.
 template <class Real, int components>
 Real dissipation(const StressMaterial& m, const Real (&trial)[components],
                  const Real (&s)[components]) {

@@ -10,7 +10,7 @@ namespace lapilli {
 struct StressMaterial {
   explicit StressMaterial(const Solid& solid);
 
-  double lambda, shear_modulus, wave_modulus, density;  // Pa, kg/m3
+  double lambda, shear_modulus, wave_modulus, density;  // Pa, kg/m^3
   std::optional<MohrCoulombReturn> yield;
 };
 
@@ -49,7 +49,7 @@ template <int Dim>
 StressSums update_stress(const StressMaterial& material, const DeformationBlock<Dim>& block,
                          const StressRows& rows, int begin, int end);
 
-/// Elastic energy of a stress over a volume of one cubic metre, J/m3.
+/// Elastic energy of a stress over a volume of one cubic metre, J/m^3.
 double elastic_energy(const StressMaterial& material, const SymmetricTensor& stress);
 
 }  // namespace lapilli

@@ -52,7 +52,7 @@ def energy_error(state: Balance) -> float:
 
 
 def energy(sxx: Array, syy: Array, sxy: Array) -> Array:
-    """Energy of a plane-strain stress, J/m3."""
+    """Energy of a plane-strain stress, J/m^3."""
     lame, shear = MATERIAL.lame, MATERIAL.shear
     trace = (sxx + syy) / (2 * (lame + shear))
     exx, eyy = ((s - lame * trace) / (2 * shear) for s in (sxx, syy))

@@ -17,7 +17,7 @@ from lapilli.reproduce.states import changed, order
 
 NAME = "ib/cantilever"
 LENGTH, HEIGHT = 0.1, 0.02  # m
-SMALL, LARGE = 1e5, 2e8  # N/m3, body force of the linear problem and of the 20 steps
+SMALL, LARGE = 1e5, 2e8  # N/m^3, body force of the linear problem and of the 20 steps
 ANGLES = (5, 15, 30, 45)  # degree, of the linear problem
 CELLS = (0.008, 0.004, 0.002, 0.001)  # m
 COMPLIANCE = 2.905869e-3  # J/m at SMALL: finite elements at 0.5 and 0.25 mm, extrapolated

@@ -17,7 +17,7 @@ from lapilli.reproduce.states import order
 
 NAME = "ib/column"
 SIZE = 0.1  # m
-WEIGHT = 1e6  # N/m3
+WEIGHT = 1e6  # N/m^3
 CELLS = (0.02, 0.01, 0.005, 0.0025)  # m
 ANGLES = (0, 20, 45)  # degree
 COLUMN = SelfWeightColumn(height=SIZE, weight=WEIGHT, material=Elastic(young=1e9, poisson=0.3))
