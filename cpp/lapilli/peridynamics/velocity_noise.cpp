@@ -7,6 +7,9 @@ namespace lapilli {
 template <int Dim>
 double velocity_noise(const WallSurface& walls, const Families& families,
                       std::span<const double> bond_weight, const PointArray& velocity) {
+  if (bond_weight.empty()) {
+    return 0.0;  // nothing has moved yet
+  }
   double noise = 0.0, total = 0.0;
   for (Index i = 0; i < walls.points().size(); ++i) {
     if (walls.wall(i) >= 0) {

@@ -20,7 +20,7 @@ def test_a_plate_heats_the_water_above_it():
     found = thermals.record(0.003, 2.0, 4)
     state = found.state
     above = np.abs(state.position[:, 0] - 0.06) < 0.045
-    low = state.position[:, 1] < 0.006
+    low = state.position[:, 1] < 0.003  # the layer of points next to the plate
     assert state.temperature[above & low].mean() > thermals.COLD + 1
     assert state.temperature[~above & low].mean() < thermals.COLD + 0.5
     assert state.temperature.max() <= thermals.HOT
