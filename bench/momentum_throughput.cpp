@@ -46,7 +46,7 @@ struct Block {
     soil.friction = 30.0;
     problem.bodies.push_back(
         {soil, 0.5 / setting.per_axis,
-         [](const Vec3& x) { return Vec3(x[1] - 0.3 * x[0], -0.3 * x[1], 0.2 * x[0]); },
+         [](const Vec3& x) { return Vec3(x[1] - 0.05 * x[0], -0.05 * x[1], 0.2 * x[0]); },
          [](const Vec3&) { return SymmetricTensor(-1e3); }});
     problem.settings.stress_update = setting.update;
     problem.settings.transfer = setting.transfer;

@@ -29,6 +29,8 @@ void validate_peridynamics(const Scene& scene) {
              "is of the material point method; give [peridynamics.heat] instead");
   require_at(!scene.quasi_static, scene, "quasi_static",
              "is of the material point method, which shares no scene with [peridynamics]");
+  require_at(!scene.momentum, scene, "momentum",
+             "is of the material point method, which shares no scene with [peridynamics]");
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     require_at(!scene.bodies[k].motion, scene, message("bodies.", k, ".motion"),
                "has no meaning in [peridynamics]: a fluid moves by its flow");
