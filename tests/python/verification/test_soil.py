@@ -111,6 +111,16 @@ def test_a_traction_pulls_a_bar():
     assert simulation["stress"][middle, 0].mean() == pytest.approx(100, rel=0.02)
 
 
+@pytest.mark.parametrize("end", [1.0, pytest.param(10.0, marks=pytest.mark.slow)])
+def test_a_slope_below_its_friction_stays(end: float):
+    """20 degrees of 30, from its geostatic stress, nothing damped: less than 0.1 cells in 10 s."""
+    simulation = lp.Simulation(example("soil/slope"))
+    start = simulation.by_id("position")
+    simulation.run_until(end)
+    moved = np.linalg.norm(simulation.by_id("position") - start, axis=1).max()
+    assert moved < 0.1 * 0.1
+
+
 def bent(angle: float, cell: float) -> float:
     """How far the middle of a free beam bends under a smooth traction along all of its surface that
     neither pushes nor turns it, m; the beam lies at an angle to the grid."""
