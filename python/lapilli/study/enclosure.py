@@ -150,9 +150,11 @@ def enclosure(scene: Scene, name: str) -> Enclosure:
 
 def coefficients(scene: Scene) -> tuple[float, float, float]:
     """Thermal diffusivity, kinematic viscosity, upward acceleration for each K."""
-    thermal = next(one for one in scene.bodies[0].material if isinstance(one, lp.Thermal))
+    given = scene.bodies[0].material
+    materials = given if isinstance(given, list) else [given]
+    thermal = next(one for one in materials if isinstance(one, lp.Thermal))
     diffusivity = number(thermal.conductivity) / (thermal.density * thermal.specific_heat)
-    fluids = [one for one in scene.bodies[0].material if isinstance(one, lp.Newtonian)]
+    fluids = [one for one in materials if isinstance(one, lp.Newtonian)]
     if not fluids or scene.peridynamics.flow is None:
         return diffusivity, 0.0, 0.0
     gravity = scene.peridynamics.flow.gravity
