@@ -141,6 +141,26 @@ void Conduction<Dim>::rates(const double* temperature, const std::vector<WallSta
 }
 
 template <int Dim>
+void Conduction<Dim>::diagonal(double* sum) const {
+  const std::vector<WallState> still(walls_.walls().size());
+  parallel_for(points_.size(), [&](Index i) {
+    sum[i] = 0.0;
+    if (!families().owns(i)) {
+      return;
+    }
+    for (Index k = families().begin(i); k < families().wall_begin(i); ++k) {
+      sum[i] += families().neighbour(k) == i ? 0.0 : std::abs(bonds_[k]);
+    }
+    if (families().wall_begin(i) < families().end(i)) {
+      // What one kelvin more in the point drives back into walls.
+      for_wall_bonds(i, [&](const WallBond& bond) {
+        sum[i] -= bond.area * flux_through(bond, still[bond.wall], 1.0);
+      });
+    }
+  });
+}
+
+template <int Dim>
 void Conduction<Dim>::wall_rows(const double* temperature, const std::vector<WallState>& surface,
                                 double* flux, double* area) const {
   parallel_for(points_.size(), [&](Index i) {

@@ -23,6 +23,7 @@ class Conduction final : public HeatExchange {
   void refresh() override;
   void rates(const double* temperature, const std::vector<WallState>& surface, double* rate,
              std::vector<double>& from_walls) const override;
+  void diagonal(double* sum) const override;
   void wall_rows(const double* temperature, const std::vector<WallState>& surface, double* flux,
                  double* area) const override;
   double wall_area(int wall) const override { return wall_area_[wall]; }

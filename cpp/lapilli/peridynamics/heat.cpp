@@ -7,6 +7,11 @@
 #include "lapilli/core/require.hpp"
 
 namespace lapilli {
+namespace {
+
+constexpr Index stiffest_every = 16;  // steps
+
+}  // namespace
 
 PeridynamicHeat::PeridynamicHeat(Points& points, std::shared_ptr<WallSurface> walls,
                                  const PeridynamicHeatSettings& settings, const Fluid& fluid)
@@ -42,6 +47,19 @@ PeridynamicHeat::PeridynamicHeat(Points& points, std::shared_ptr<WallSurface> wa
     }
   }
   prescribe_walls(0.0);
+  exchange_->refresh();
+  find_stiffest();
+}
+
+void PeridynamicHeat::find_stiffest() {
+  // Until the next rates these rows are free.
+  exchange_->diagonal(rate_.data());
+  stiffest_ = 0.0;
+  for (Index i = 0; i < points_.size(); ++i) {
+    if (capacity_[i] > 0.0) {
+      stiffest_ = std::max(stiffest_, rate_[i] / capacity_[i]);
+    }
+  }
 }
 
 StepLimit PeridynamicHeat::step_limit() const {
@@ -51,8 +69,10 @@ StepLimit PeridynamicHeat::step_limit() const {
   }
   const double natural =
       walls_->spacing() * walls_->spacing() / (points_.dimension() * diffusivity);
-  return {0.5 * natural, settings_.step_factor * natural,
-          "explicit conduction, 0.5 dx^2/(dim alpha)"};
+  const double least = stiffest_ > 0.0 ? 1.0 / stiffest_ : natural;
+  return {std::min(0.5 * natural, least), std::min(settings_.step_factor * natural, 0.9 * least),
+          least < 0.5 * natural ? "explicit conduction, capacity over the bonds of a point"
+                                : "explicit conduction, 0.5 dx^2/(dim alpha)"};
 }
 
 StepReport PeridynamicHeat::advance(const Step& step) {
@@ -62,6 +82,9 @@ StepReport PeridynamicHeat::advance(const Step& step) {
   }
   prescribe_walls(step.time);
   exchange_->update();
+  if (step.index % stiffest_every == 0) {
+    find_stiffest();
+  }
   exchange_->rates(temperature_.data(), surface_, rate_.data(), from_walls_);
   source_power_ = dissipated_power_ = 0.0;
   for (const FluidBody& body : fluid_.bodies) {
@@ -195,6 +218,7 @@ void PeridynamicHeat::save(Archive& archive) const {
   archive.write("heat/from_walls", from_walls_);
   archive.write("heat/taken_in", taken_in_);
   archive.write("heat/initial", initial_);
+  archive.write("heat/stiffest", stiffest_);
   archive.write("heat/started", static_cast<Index>(started_ ? 1 : 0));
   exchange_->save(archive);
   walls_->save(archive);
@@ -206,6 +230,7 @@ void PeridynamicHeat::load(const Archive& archive) {
   archive.read("heat/from_walls", from_walls_);
   archive.read("heat/taken_in", taken_in_);
   initial_ = archive.read_number("heat/initial");
+  stiffest_ = archive.read_number("heat/stiffest");
   started_ = archive.read_index("heat/started") == 1;
   walls_->load(archive);
   prescribed_ = false;

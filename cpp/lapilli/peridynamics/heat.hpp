@@ -52,6 +52,7 @@ class PeridynamicHeat final : public Physics {
 
  private:
   void prescribe_walls(double time);
+  void find_stiffest();
   void add_source(const FluidBody& body, double time);
   void add_dissipation();
   void update_points(const Step& step);
@@ -66,6 +67,7 @@ class PeridynamicHeat final : public Physics {
   const PointArray* dissipation_ = nullptr;
   std::vector<WallState> surface_;
   std::vector<double> from_walls_;
+  double stiffest_ = 0.0;  // 1/s, largest sum of conductances over capacity
   double source_power_ = 0.0, dissipated_power_ = 0.0;
   double initial_ = 0.0;
   bool started_ = false, prescribed_ = false;

@@ -29,6 +29,9 @@ class HeatExchange {
   /// Rate of heat into every fluid point, W (rows of other points: 0), and from every wall, W.
   virtual void rates(const double* temperature, const std::vector<WallState>& surface, double* rate,
                      std::vector<double>& from_walls) const = 0;
+  /// Sum of the conductances of each fluid point, W/K, which limits an explicit step; 0 where it is
+  /// not known. Of what `update` or `refresh` last saw.
+  virtual void diagonal(double* sum) const = 0;
   /// What walls do to each point: the area that its bonds to them stand for, m^(dimension - 1), and
   /// the mean heat flux into it through that area, W/m^2; 0 where no wall is near.
   virtual void wall_rows(const double* temperature, const std::vector<WallState>& surface,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "lapilli/peridynamics/families.hpp"
@@ -26,6 +27,7 @@ class TwoFieldConduction final : public HeatExchange {
   void refresh() override { update(); }
   void rates(const double* temperature, const std::vector<WallState>& surface, double* rate,
              std::vector<double>& from_walls) const override;
+  void diagonal(double* sum) const override { std::fill(sum, sum + points_.size(), 0.0); }
   void wall_rows(const double* temperature, const std::vector<WallState>& surface, double* flux,
                  double* area) const override;
   double wall_area(int wall) const override;
