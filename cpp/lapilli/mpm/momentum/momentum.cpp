@@ -122,9 +122,9 @@ StepLimit Momentum<Dim>::step_limit() const {
   const double crossing = data_.grid.cell_size() / (wave_speed_ + speed_);
   return {.hard = crossing,
           .automatic = data_.settings.step_safety * crossing,
-          .reason = message("explicit momentum: a wave of ", wave_speed_, " m/s on points of ", speed_,
-                            " m/s may cross one cell of ", data_.grid.cell_size(), " m; safety ",
-                            data_.settings.step_safety)};
+          .reason = message("explicit momentum: a wave of ", wave_speed_, " m/s on points of ",
+                            speed_, " m/s may cross one cell of ", data_.grid.cell_size(),
+                            " m; safety ", data_.settings.step_safety)};
 }
 
 template <int Dim>
