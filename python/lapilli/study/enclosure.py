@@ -101,7 +101,7 @@ def plates(scene: Scene) -> PlatesReference:
     """Conduction between two held walls."""
     box = enclosure(scene, "plates")
     start = scene.bodies[0].temperature
-    if scene.peridynamics.flow is not None or not isinstance(start, float | int):
+    if flow_of(scene) is not None or not isinstance(start, float | int):
         raise ValueError("reference plates: heat alone, from one temperature")
     return PlatesReference(box, float(start))
 
@@ -119,7 +119,7 @@ def cavity_velocity(scene: Scene) -> SteadyFlowReference:
 def flowing(scene: Scene, name: str) -> Enclosure:
     """The enclosure of a scene in two dimensions with a flow."""
     box = enclosure(scene, name)
-    if scene.peridynamics.flow is None or len(box.size) != 2 or box.viscosity == 0:
+    if flow_of(scene) is None or len(box.size) != 2 or box.viscosity == 0:
         raise ValueError(f"reference {name}: a viscous flow in two dimensions is needed")
     return box
 
@@ -133,12 +133,17 @@ def enclosure(scene: Scene, name: str) -> Enclosure:
         raise ValueError(f"reference {name}: the body must be a Box along the axes")
     lower, upper = np.asarray(body.shape.lower), np.asarray(body.shape.upper)
     held = [wall for wall in scene.peridynamics.walls if wall.heat == "temperature"]
+    boxes = [wall.shape for wall in held if isinstance(wall.shape, lp.Box)]
     open_walls = {wall.heat for wall in scene.peridynamics.walls} - {"temperature", "adiabatic"}
-    if len(held) != 2 or open_walls or not all(isinstance(wall.shape, lp.Box) for wall in held):
+    if len(held) != 2 or open_walls or len(boxes) != 2:
         raise ValueError(f"reference {name}: two walls with a temperature, the others adiabatic")
     for axis in range(len(lower)):
-        before = [wall for wall in held if wall.shape.upper[axis] <= lower[axis]]
-        behind = [wall for wall in held if wall.shape.lower[axis] >= upper[axis]]
+        before = [
+            wall for wall, box in zip(held, boxes, strict=True) if box.upper[axis] <= lower[axis]
+        ]
+        behind = [
+            wall for wall, box in zip(held, boxes, strict=True) if box.lower[axis] >= upper[axis]
+        ]
         if len(before) == len(behind) == 1:
             thermal, fluid, buoyancy = coefficients(scene)
             return Enclosure(
@@ -148,6 +153,11 @@ def enclosure(scene: Scene, name: str) -> Enclosure:
     raise ValueError(f"reference {name}: the two walls must face each other")
 
 
+def flow_of(scene: Scene) -> lp.PeridynamicFlow | None:
+    """The flow of a peridynamic scene, if it has any."""
+    return scene.peridynamics.flow if scene.peridynamics is not None else None
+
+
 def coefficients(scene: Scene) -> tuple[float, float, float]:
     """Thermal diffusivity, kinematic viscosity, upward acceleration for each K."""
     given = scene.bodies[0].material
@@ -155,9 +165,10 @@ def coefficients(scene: Scene) -> tuple[float, float, float]:
     thermal = next(one for one in materials if isinstance(one, lp.Thermal))
     diffusivity = number(thermal.conductivity) / (thermal.density * thermal.specific_heat)
     fluids = [one for one in materials if isinstance(one, lp.Newtonian)]
-    if not fluids or scene.peridynamics.flow is None:
+    flow = flow_of(scene)
+    if not fluids or flow is None:
         return diffusivity, 0.0, 0.0
-    gravity = scene.peridynamics.flow.gravity
+    gravity = flow.gravity
     return (
         diffusivity,
         fluids[0].viscosity / fluids[0].density,

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from lapilli.references.cavity import Box, solve
+from lapilli.references.slab import prescribed_slab
 from lapilli.reproduce.figures import map_of, new_figure, save
 from lapilli.reproduce.pd import benard, cavity, conduction, thermals
 from lapilli.reproduce.pd.fluid_state import FluidState, sample
@@ -23,7 +24,7 @@ def draw_conduction(folder: Path, rows: int) -> Path:
     literal = 'peridynamics.heat.laplacian="literal"'
     for time in conduction.TIMES:
         draw_middle(axes[0, 0], conduction.at(rows, time), f"{time:g} s", rows)
-        axes[0, 0].plot(x, conduction.prescribed_slab(x, time), "k-", lw=0.7)
+        axes[0, 0].plot(x, prescribed_slab(x, time), "k-", lw=0.7)
     for title, settings in {
         "corrected": (),
         "two fields, 1.5 dx": (literal,),
@@ -31,7 +32,7 @@ def draw_conduction(folder: Path, rows: int) -> Path:
     }.items():
         state = conduction.at(rows, conduction.EARLY, *settings)
         draw_middle(axes[0, 1], state, title, rows)
-    axes[0, 1].plot(x, conduction.prescribed_slab(x, conduction.EARLY), "k-", lw=0.7)
+    axes[0, 1].plot(x, prescribed_slab(x, conduction.EARLY), "k-", lw=0.7)
     axes[0, 1].set_title(f"{conduction.EARLY:g} s; line: exact")
     for one in axes[0]:
         one.set_xlabel("x (m)")
