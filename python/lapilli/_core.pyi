@@ -1246,8 +1246,6 @@ class Heat:
         take convection and radiation at the end of the step, stable for any coefficient
     corner_fit : bool, default True
         give sharp corners their whole area
-    rescale_areas : bool, default False
-        scale areas to a smoothed contour, for sparse points
     boundaries : list[Flux | Convection | Radiation | Temperature], default []
         flux laws and held temperatures; the first region that covers a place wins
     """
@@ -1256,7 +1254,7 @@ class Heat:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, method: typing.Literal['virtual', 'paper', 'particle', 'node'] = ..., transfer: typing.Literal['auto', 'kept', 'affine', 'flip', 'pic', 'tpic'] = ..., stepping: typing.Literal['explicit', 'theta'] = ..., theta: float = ..., solver: typing.Literal['auto', 'direct', 'cg'] = ..., blend: float = ..., normal_smoothing: int = ..., surface_fraction: float = ..., implicit_exchange: bool = ..., corner_fit: bool = ..., rescale_areas: bool = ..., boundaries: list[Flux | Convection | Radiation | Temperature] = ...) -> None:
+    def __init__(self, *, method: typing.Literal['virtual', 'paper', 'particle', 'node'] = ..., transfer: typing.Literal['auto', 'kept', 'affine', 'flip', 'pic', 'tpic'] = ..., stepping: typing.Literal['explicit', 'theta'] = ..., theta: float = ..., solver: typing.Literal['auto', 'direct', 'cg'] = ..., blend: float = ..., normal_smoothing: int = ..., surface_fraction: float = ..., implicit_exchange: bool = ..., corner_fit: bool = ..., boundaries: list[Flux | Convection | Radiation | Temperature] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -1311,14 +1309,6 @@ class Heat:
         """
     @normal_smoothing.setter
     def normal_smoothing(self, value: int) -> None:
-        ...
-    @property
-    def rescale_areas(self) -> bool:
-        """
-        scale areas to a smoothed contour, for sparse points
-        """
-    @rescale_areas.setter
-    def rescale_areas(self, value: bool) -> None:
         ...
     @property
     def solver(self) -> typing.Literal['auto', 'direct', 'cg']:

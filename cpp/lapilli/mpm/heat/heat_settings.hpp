@@ -157,7 +157,6 @@ struct HeatSettings {
   double surface_fraction = 0.55;  // eta of the paper's surface rule
   bool implicit_exchange = true;   // convection and radiation at the end of the step
   bool corner_fit = true;          // fitted vector at sharp corners
-  bool rescale_areas = false;      // areas scaled to a contour; sparse points
   std::vector<HeatBoundary> boundaries;
 
   template <class Self, class Visitor>
@@ -181,8 +180,6 @@ struct HeatSettings {
                 "take convection and radiation at the end of the step, stable for any coefficient"),
         self.implicit_exchange);
     visit(Key("corner_fit").text("give sharp corners their whole area"), self.corner_fit);
-    visit(Key("rescale_areas").text("scale areas to a smoothed contour, for sparse points"),
-          self.rescale_areas);
     visit(Key("boundaries")
               .text("flux laws and held temperatures; the first region that covers a place wins"),
           self.boundaries);
