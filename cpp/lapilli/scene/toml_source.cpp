@@ -54,6 +54,8 @@ Tree parse_toml(std::string_view text, const std::string& name) {
     const Place place = place_of(error.source());
     throw std::invalid_argument(message(name, ":", place.line, ":", place.column,
                                         ": no valid TOML: ", std::string(error.description())));
+  } catch (const std::logic_error& error) {  // see toml_implementation.cpp
+    throw std::invalid_argument(message(name, ": no valid TOML: ", error.what()));
   }
 }
 
