@@ -11,7 +11,7 @@ from lapilli._core import Grid, Scene
 from lapilli.references.elastic import Annulus, Elastic
 from lapilli.reproduce.case import Case, Row, example, within
 from lapilli.reproduce.ib.balance import Balance, balance, in_form, section
-from lapilli.reproduce.ib.rows import near, rows_of
+from lapilli.reproduce.rows import near, rows_of
 from lapilli.reproduce.states import Array
 
 NAME = "ib/annulus"

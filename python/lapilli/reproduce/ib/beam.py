@@ -11,7 +11,7 @@ from lapilli._core import Grid, Points, Scene
 from lapilli.references.plane_strain import deep_beam
 from lapilli.reproduce.case import Case, Row, example
 from lapilli.reproduce.ib.balance import Balance, balance, in_form, in_mode
-from lapilli.reproduce.ib.rows import between, near, rows_of
+from lapilli.reproduce.rows import between, near, rows_of
 
 NAME = "ib/beam"
 SIZE = 0.1  # m

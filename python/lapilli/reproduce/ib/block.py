@@ -12,7 +12,7 @@ from lapilli.references.elastic import Elastic, contained_block
 from lapilli.reproduce.case import Case, Row, example, within
 from lapilli.reproduce.ib.balance import MODES, Balance, balance, in_form, in_mode, section
 from lapilli.reproduce.ib.frame import Frame, grid_around, ramp
-from lapilli.reproduce.ib.rows import near, rows_of
+from lapilli.reproduce.rows import near, rows_of
 
 NAME = "ib/block"
 SIZE = 0.1  # m

@@ -11,7 +11,7 @@ from lapilli.references.elastic import Elastic
 from lapilli.reproduce.case import Case, Row, example, within
 from lapilli.reproduce.ib.balance import MODES, balance, in_mode, section
 from lapilli.reproduce.ib.frame import ramp
-from lapilli.reproduce.ib.rows import near, rows_of
+from lapilli.reproduce.rows import near, rows_of
 from lapilli.reproduce.states import Array
 
 NAME = "ib/block3d"

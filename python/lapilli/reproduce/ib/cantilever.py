@@ -12,7 +12,7 @@ from lapilli._core import Scene
 from lapilli.reproduce.case import Case, Row, example, quotient_within, within
 from lapilli.reproduce.ib.balance import Balance, balance, balances, in_form, section
 from lapilli.reproduce.ib.frame import Frame, grid_around, ramp
-from lapilli.reproduce.ib.rows import at_least, between, near, rows_of
+from lapilli.reproduce.rows import at_least, between, near, rows_of
 from lapilli.reproduce.states import changed, order
 
 NAME = "ib/cantilever"

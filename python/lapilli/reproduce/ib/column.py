@@ -12,7 +12,7 @@ from lapilli.references.elastic import Elastic, SelfWeightColumn
 from lapilli.reproduce.case import Case, Row, example
 from lapilli.reproduce.ib.balance import balance, in_form, section
 from lapilli.reproduce.ib.frame import Frame, grid_around, ramp
-from lapilli.reproduce.ib.rows import at_least, rows_of
+from lapilli.reproduce.rows import at_least, rows_of
 from lapilli.reproduce.states import order
 
 NAME = "ib/column"

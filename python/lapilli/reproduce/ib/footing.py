@@ -10,7 +10,7 @@ import numpy as np
 from lapilli._core import RunError, Scene
 from lapilli.reproduce.case import Case, Row, example, quotient_within
 from lapilli.reproduce.ib.balance import Balance, balances, in_mode
-from lapilli.reproduce.ib.rows import below, between, rows_of
+from lapilli.reproduce.rows import below, between, rows_of
 from lapilli.reproduce.states import changed
 
 NAME = "ib/footing"

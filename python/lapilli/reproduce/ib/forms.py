@@ -14,7 +14,7 @@ from lapilli.reproduce.case import Case, Row, example
 from lapilli.reproduce.ib import annulus, block, cantilever
 from lapilli.reproduce.ib.balance import FORMS, Balance, balance, in_form
 from lapilli.reproduce.ib.frame import Frame
-from lapilli.reproduce.ib.rows import below, rows_of
+from lapilli.reproduce.rows import below, rows_of
 from lapilli.reproduce.states import changed
 from lapilli.study import Measurement, Table, tradeoff
 from lapilli.study.measure import Task

@@ -10,7 +10,7 @@ import numpy as np
 from lapilli._core import Scene
 from lapilli.reproduce.case import Case, Row, example, within
 from lapilli.reproduce.ib.balance import Balance, balances, in_form
-from lapilli.reproduce.ib.rows import at_least, below, between, rows_of
+from lapilli.reproduce.rows import at_least, below, between, rows_of
 from lapilli.reproduce.states import Array
 
 NAME = "ib/funnel"

@@ -10,7 +10,7 @@ from lapilli._core import Box, Scene
 from lapilli.references.elastic import Elastic
 from lapilli.reproduce.case import Case, Row, example, within
 from lapilli.reproduce.ib.balance import MODES, balance, in_mode, section
-from lapilli.reproduce.ib.rows import rows_of
+from lapilli.reproduce.rows import rows_of
 
 NAME = "ib/shear"
 SIZE = 0.1  # m

@@ -16,7 +16,8 @@ import numpy as np
 
 from lapilli._core import Scene, Simulation
 from lapilli.references.granular import LUBE_2005
-from lapilli.reproduce.case import Case, Row, example
+from lapilli.reproduce.case import Case, Row, example, within
+from lapilli.reproduce.rows import rows_of
 from lapilli.reproduce.states import Array, changed
 
 NAME = "soil/collapse"
@@ -24,6 +25,8 @@ SHORT, TALL = (0.5, 1.0, 1.5), (2.0, 4.0, 8.0)
 CELLS = (0.1, 0.05, 0.025)  # m, of a half width of 1 m
 WIDENED = 0.15  # of both laws
 ENERGY_BAR = 0.01  # of the energy released
+
+row = rows_of(NAME)
 
 
 def scene(aspect: float, cell: float) -> Scene:
@@ -79,10 +82,10 @@ def short_rows(aspect: float, cell: float) -> list[Row]:
     low, high = (1 - WIDENED) * aspect, (1 + WIDENED) * float(LUBE_2005.run_out(aspect))
     setting = f"aspect {aspect:g}, h = {cell:g} m"
     return [
-        row(setting, "run-out over the half width", float(LUBE_2005.run_out(aspect)), run_out,
-            f"{low:.3g} to {high:.3g}", cell > CELLS[1] or low <= run_out <= high),
-        row(setting, "energy left over / released", None, left,
-            f"<= {ENERGY_BAR:g}", abs(left) <= ENERGY_BAR),
+        row(setting, "run-out over the half width", run_out,
+            (f"{low:.3g} to {high:.3g}", cell > CELLS[1] or low <= run_out <= high),
+            paper=float(LUBE_2005.run_out(aspect))),
+        row(setting, "energy left over / released", left, within(left, ENERGY_BAR)),
     ]  # fmt: skip
 
 
@@ -91,23 +94,11 @@ def tall_row(aspect: float) -> Row:
     run_out, _ = collapsed(aspect, CELLS[1])
     law = float(LUBE_2005.run_out(aspect))
     return row(
-        f"aspect {aspect:g}, h = {CELLS[1]:g} m", "run-out over the half width", law, run_out,
-        "no bar", True,
-    )  # fmt: skip
-
-
-def row(setting: str, quantity: str, law: float | None, found: float, bar: str, kept: bool) -> Row:
-    """A row of this case."""
-    return Row(
-        case=NAME,
-        setting=setting,
-        quantity=quantity,
-        unit="",
+        f"aspect {aspect:g}, h = {CELLS[1]:g} m",
+        "run-out over the half width",
+        run_out,
+        ("no bar", True),
         paper=law,
-        reference=None,
-        lapilli=found,
-        bar=bar,
-        ok=kept,
     )
 
 

@@ -17,9 +17,11 @@ import numpy as np
 
 from lapilli._core import Scene, Simulation, Table
 from lapilli.reproduce.case import Case, Row, example, within
+from lapilli.reproduce.rows import rows_of
 from lapilli.reproduce.states import Array, changed, rms
 
 NAME = "vhfm/column"
+row = rows_of(NAME)
 TIME = 2.0  # s
 CELLS = (0.1, 0.05, 0.025)  # m
 LATE = 1.5  # s, when heating begins in the harder test
@@ -162,9 +164,10 @@ def compared(text: str, setting: Setting, bars: dict[int, tuple[float, float]]) 
         found, heat = difference(final(with_points(setting, points)), reference, setting.cell)
         words = f"{text}, {points} points a cell"
         rows += [
-            row(words, f"RMS against 25 at {TIME:g} s", "% of span", found, within(found, rms_bar)),
-            row(words, "heat taken up against 25", "%", heat, within(heat, heat_bar)),
-        ]
+            row(words, f"RMS against 25 at {TIME:g} s", found, within(found, rms_bar),
+                unit="% of span"),
+            row(words, "heat taken up against 25", heat, within(heat, heat_bar), unit="%"),
+        ]  # fmt: skip
     return rows + range_rows(text, setting)
 
 
@@ -174,9 +177,9 @@ def range_rows(text: str, setting: Setting) -> list[Row]:
     beyond = max(max(-state.low, state.high - 1) for state in states)
     residual = max(state.residual for state in states)
     return [
-        row(f"{text}, 25, 9 and 4 points a cell", "temperature beyond [0, 1]", "K",
-            max(beyond, 0.0), (f"<= {RANGE:g}", beyond <= RANGE)),
-        row(f"{text}, 25, 9 and 4 points a cell", "heat stored - taken in, relative", "",
+        row(f"{text}, 25, 9 and 4 points a cell", "temperature beyond [0, 1]",
+            max(beyond, 0.0), (f"<= {RANGE:g}", beyond <= RANGE), unit="K"),
+        row(f"{text}, 25, 9 and 4 points a cell", "heat stored - taken in, relative",
             residual, within(residual, 1e-10)),
     ]  # fmt: skip
 
@@ -189,8 +192,8 @@ def paper_rows() -> list[Row]:
         found, _ = difference(final(Setting(points=points, paper=True, late=True)), reference, 0.1)
         rows.append(
             row(f"method paper, linear, FLIP, heated from 1.5 s on, {points} points a cell",
-                f"RMS against 25 at {TIME:g} s", "% of span", found,
-                (f"> {least:g}, fails", not found <= least))
+                f"RMS against 25 at {TIME:g} s", found,
+                (f"> {least:g}, fails", not found <= least), unit="% of span")
         )  # fmt: skip
     return rows
 
@@ -200,8 +203,8 @@ def grid_rows() -> list[Row]:
     coarse, fine = (histories(cell)[1] for cell in CELLS[:2])
     return [
         row(f"default, h = {CELLS[0]:g} beside {CELLS[1]:g} m, 25 points a cell",
-            f"largest difference of the temperature at {name} to {TIME:g} s", "K", gap,
-            within(gap, 0.03))
+            f"largest difference of the temperature at {name} to {TIME:g} s", gap,
+            within(gap, 0.03), unit="K")
         for name, gap in zip(("P1", "P2"), np.abs(coarse - fine).max(axis=0), strict=True)
     ]  # fmt: skip
 
@@ -223,21 +226,6 @@ def histories(cell: float) -> tuple[Array, Array]:
         temperature = simulation.by_id("temperature")
         values.append([float(temperature[rows].mean()) for rows in near])
     return times, np.array(values)
-
-
-def row(setting: str, quantity: str, unit: str, found: float, bar: tuple[str, bool]) -> Row:
-    """A row of this case."""
-    return Row(
-        case=NAME,
-        setting=setting,
-        quantity=quantity,
-        unit=unit,
-        paper=None,
-        reference=None,
-        lapilli=found,
-        bar=bar[0],
-        ok=bar[1],
-    )
 
 
 def plot(folder: Path, quick: bool) -> list[Path]:

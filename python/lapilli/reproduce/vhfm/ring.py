@@ -12,6 +12,7 @@ from lapilli._core import Scene, Simulation
 from lapilli.references import thermal
 from lapilli.references.radial import RadialProblem, RadialSolution
 from lapilli.reproduce.case import Case, Row, example, quotient_within, within
+from lapilli.reproduce.rows import Bar, rows_of
 from lapilli.reproduce.states import Array, State, changed, rms, states
 from lapilli.reproduce.vhfm.lattice_nodes import nodal_values
 from lapilli.reproduce.vhfm.literal import literal
@@ -23,6 +24,7 @@ from lapilli.reproduce.vhfm.tables import (
 )
 
 NAME = "vhfm/ring"
+row = rows_of(NAME)
 INNER, OUTER = 1.0, 5.0  # m
 LAWS = ("flux", "convection")
 FINEST = 0.025  # m, the reference of Table 3
@@ -157,39 +159,28 @@ def run(quick: bool) -> list[Row]:
     if quick:
         return rows
     found = default_error("flux", 0.05, 4)
-    bar, ok = within(found, SMOOTHED_4_BAR)
-    rows.append(error_row("normals smoothed 4 times, flux, h = 0.05 m", found, bar, ok))
+    bar = within(found, SMOOTHED_4_BAR)
+    rows.append(error_row("normals smoothed 4 times, flux, h = 0.05 m", found, bar))
     return rows + table_3()
 
 
 def literal_row(law: str, cell: float) -> Row:
     """The error of the paper's algorithm at 1 s."""
     found, reference = literal_error(law, cell), LITERAL_ERROR[law][cell]
-    bar, ok = quotient_within(found, reference, 0.05)
-    return error_row(f"literal, {law}, h = {cell:g} m", found, bar, ok, reference)
+    bar = quotient_within(found, reference, 0.05)
+    return error_row(f"literal, {law}, h = {cell:g} m", found, bar, reference)
 
 
 def default_row(law: str, cell: float) -> Row:
     """The error of the defaults at 1 s."""
     found = default_error(law, cell)
-    bar, ok = within(found, BARS[law][cell])
-    return error_row(f"default, {law}, h = {cell:g} m", found, bar, ok)
+    return error_row(f"default, {law}, h = {cell:g} m", found, within(found, BARS[law][cell]))
 
 
-def error_row(
-    setting: str, found: float, bar: str, ok: bool, reference: float | None = None
-) -> Row:
+def error_row(setting: str, found: float, bar: Bar, reference: float | None = None) -> Row:
     """An error at 1 s. The paper compares with its own finest grid only: see Table 3."""
-    return Row(
-        case=NAME,
-        setting=setting,
-        quantity="RMSE against the exact field at 1 s",
-        unit="K",
-        paper=None,
-        reference=reference,
-        lapilli=found,
-        bar=bar,
-        ok=ok,
+    return row(
+        setting, "RMSE against the exact field at 1 s", found, bar, unit="K", reference=reference
     )
 
 
@@ -199,21 +190,15 @@ def area_rows(cell: float) -> list[Row]:
     found = rim_lengths(ring_scene("flux", cell))
     for k, rim in enumerate(("outer", "inner")):
         share = 0.003 if rim == "outer" and cell <= 0.1 else 0.005
-        bar, ok = quotient_within(found[k], 1.0, share)
-        rows.append(
-            Row(
-                case=NAME,
-                setting=f"default, h = {cell:g} m",
-                quantity=f"length of the {rim} rim over its true length",
-                unit="",
-                paper=None,
-                reference=1.0,
-                lapilli=found[k],
-                bar=bar if cell <= 0.2 else "none: reported",
-                ok=ok or cell > 0.2,
-            )
-        )
+        bar = quotient_within(found[k], 1.0, share) if cell <= 0.2 else ("none: reported", True)
+        rows.append(rim_row(f"default, h = {cell:g} m", rim, found[k], bar, 1.0))
     return rows
+
+
+def rim_row(setting: str, rim: str, found: float, bar: Bar, reference: float) -> Row:
+    """The length of a rim."""
+    quantity = f"length of the {rim} rim over its true length"
+    return row(setting, quantity, found, bar, reference=reference)
 
 
 def literal_area_rows(cell: float) -> list[Row]:
@@ -221,37 +206,21 @@ def literal_area_rows(cell: float) -> list[Row]:
     found = rim_lengths(literal(ring_scene("flux", cell), cell**2 / 10))
     rows = []
     for k, rim in enumerate(("outer", "inner")):
-        bar, ok = quotient_within(found[k], LITERAL_AREA[cell][k], 0.005)
-        rows.append(
-            Row(
-                case=NAME,
-                setting=f"literal, h = {cell:g} m",
-                quantity=f"length of the {rim} rim over its true length",
-                unit="",
-                paper=None,
-                reference=LITERAL_AREA[cell][k],
-                lapilli=found[k],
-                bar=bar,
-                ok=ok,
-            )
-        )
+        reference = LITERAL_AREA[cell][k]
+        bar = quotient_within(found[k], reference, 0.005)
+        rows.append(rim_row(f"literal, h = {cell:g} m", rim, found[k], bar, reference))
     return rows
 
 
 def normal_row(smoothing: int) -> Row:
     """RMSE of the nodal normals. The paper prints the spread of its own as a figure."""
     found = rms(normal_errors(0.1, smoothing)[1])
-    bar = NORMAL_BARS[smoothing]
-    return Row(
-        case=NAME,
-        setting=f"h = 0.1 m, normals smoothed {smoothing} times",
-        quantity="RMSE of the normals",
+    return row(
+        f"h = 0.1 m, normals smoothed {smoothing} times",
+        "RMSE of the normals",
+        found,
+        within(found, NORMAL_BARS[smoothing]),
         unit="degree",
-        paper=None,
-        reference=None,
-        lapilli=found,
-        bar=f"<= {bar:g}",
-        ok=found <= bar,
     )
 
 
@@ -259,17 +228,13 @@ def history_row(law: str) -> Row:
     """The temperature half way between the rims at 10 s (Fig. 12)."""
     found = float(history(law, 0.1, np.array([10.0]))[0])
     reference = float(exact_solution(law).temperature(3.0, 10.0))
-    bar, ok = quotient_within(found, reference, 0.005)
-    return Row(
-        case=NAME,
-        setting=f"default, {law}, h = 0.1 m, automatic step",
-        quantity="temperature at r = 3 m, 10 s",
+    return row(
+        f"default, {law}, h = 0.1 m, automatic step",
+        "temperature at r = 3 m, 10 s",
+        found,
+        quotient_within(found, reference, 0.005),
         unit="K",
-        paper=None,
         reference=reference,
-        lapilli=found,
-        bar=bar,
-        ok=ok,
     )
 
 
@@ -285,18 +250,15 @@ def table_3() -> list[Row]:
                 found = rms([coarse[node] - finest[time][node] for node in shared])
                 misprint = (law, time, cell) == TABLE_3_MISPRINT
                 reference = TABLE_3_CORRECTED if misprint else value
-                bar, ok = quotient_within(found, reference, 0.05)
                 rows.append(
-                    Row(
-                        case=NAME,
-                        setting=f"Table 3, {law}, h = {cell:g} m",
-                        quantity=f"RMSE of the nodes against h = {FINEST:g} m at {time:g} s",
+                    row(
+                        f"Table 3, {law}, h = {cell:g} m",
+                        f"RMSE of the nodes against h = {FINEST:g} m at {time:g} s",
+                        found,
+                        quotient_within(found, reference, 0.05),
                         unit="K",
                         paper=value,
                         reference=reference,
-                        lapilli=found,
-                        bar=bar,
-                        ok=ok,
                     )
                 )
     return rows

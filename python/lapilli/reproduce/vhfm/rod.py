@@ -9,12 +9,14 @@ import numpy as np
 
 from lapilli._core import Scene
 from lapilli.references import rod as exact
-from lapilli.reproduce.case import Case, Row, example, quotient_within
+from lapilli.reproduce.case import Case, Row, example, quotient_within, within
+from lapilli.reproduce.rows import at_least, rows_of
 from lapilli.reproduce.states import Array, State, changed, order, rms, states
 from lapilli.reproduce.vhfm.literal import literal
 from lapilli.reproduce.vhfm.tables import TABLE_1, TABLE_2, TIMES, Errors
 
 NAME = "vhfm/rod"
+row = rows_of(NAME)
 LAWS = ("flux", "convection")
 FINEST = 0.02  # m, the finest grid of Table 2
 METHODS = {"node boundary": "node", "particle boundary": "particle"}  # the rest is "paper"
@@ -108,18 +110,15 @@ def table_rows(setting: str, law: str, printed: Errors, found: list[float]) -> l
     """One row for each time."""
     rows = []
     for k, time in enumerate(TIMES[law]):
-        bar, ok = quotient_within(found[k], printed.corrected[k], 0.005)
         rows.append(
-            Row(
-                case=NAME,
-                setting=setting,
-                quantity=f"RMSE at {time:g} s",
+            row(
+                setting,
+                f"RMSE at {time:g} s",
+                found[k],
+                quotient_within(found[k], printed.corrected[k], 0.005),
                 unit="K",
                 paper=printed.printed[k],
                 reference=printed.corrected[k],
-                lapilli=found[k],
-                bar=bar,
-                ok=ok,
             )
         )
     return rows
@@ -135,16 +134,14 @@ def nodes_equal_virtual_flux() -> Row:
         ]
         for one, other in zip(*both, strict=True):
             largest = max(largest, float(np.abs(one.temperature - other.temperature).max()))
-    return Row(
-        case=NAME,
-        setting="Table 1, VHFM, conforming - node boundary",
-        quantity="largest difference",
+    return row(
+        "Table 1, VHFM, conforming - node boundary",
+        "largest difference",
+        largest,
+        within(largest, 1e-12),
         unit="K",
         paper=0.0,
         reference=0.0,
-        lapilli=largest,
-        bar="<= 1e-12",
-        ok=largest <= 1e-12,
     )
 
 
@@ -183,16 +180,13 @@ def fine_rows() -> list[Row]:
             found = order(coarse[k], fine[k], 0.2 / FINEST)
             least = ORDER_BARS[law]
             rows.append(
-                Row(
-                    case=NAME,
-                    setting=f"default, kept, {law}, not conforming, h = 0.2 to {FINEST:g} m",
-                    quantity=f"order of convergence at {time:g} s",
-                    unit="",
+                row(
+                    f"default, kept, {law}, not conforming, h = 0.2 to {FINEST:g} m",
+                    f"order of convergence at {time:g} s",
+                    found,
+                    at_least(found, least),
                     paper=2.0,
                     reference=2.0,
-                    lapilli=found,
-                    bar=f">= {least:g}",
-                    ok=found >= least,
                 )
             )
     return rows
@@ -200,17 +194,7 @@ def fine_rows() -> list[Row]:
 
 def error_row(setting: str, time: float, paper: float, found: float, bar: float) -> Row:
     """An error against the exact solution."""
-    return Row(
-        case=NAME,
-        setting=setting,
-        quantity=f"RMSE at {time:g} s",
-        unit="K",
-        paper=paper,
-        reference=None,
-        lapilli=found,
-        bar=f"<= {bar:g}",
-        ok=found <= bar,
-    )
+    return row(setting, f"RMSE at {time:g} s", found, within(found, bar), unit="K", paper=paper)
 
 
 def plot(folder: Path, quick: bool) -> list[Path]:

@@ -10,11 +10,13 @@ import numpy as np
 from lapilli._core import Scene, Simulation
 from lapilli.references import thermal
 from lapilli.references.radial import RadialProblem, RadialSolution
-from lapilli.reproduce.case import Case, Row, example, quotient_within
+from lapilli.reproduce.case import Case, Row, example, quotient_within, within
+from lapilli.reproduce.rows import rows_of
 from lapilli.reproduce.states import Array, State, changed, rms, states
 from lapilli.reproduce.vhfm.literal import literal
 
 NAME = "vhfm/sphere"
+row = rows_of(NAME)
 RADIUS = 5.0  # m
 STEP = 1e-2  # s
 TIMES = (0.5, 1.0, 2.0, 5.0, 10.0)  # s
@@ -80,17 +82,7 @@ def default_rows(points_per_cell: int, times: tuple[float, ...]) -> list[Row]:
     found = errors(scene, times)
     setting = f"default, {points_per_cell} points a cell, h = 0.2 m"
     rows = [
-        Row(
-            case=NAME,
-            setting=setting,
-            quantity=f"RMSE at {time:g} s",
-            unit="K",
-            paper=None,
-            reference=None,
-            lapilli=found[k],
-            bar=f"<= {BARS[k]:g}",
-            ok=found[k] <= BARS[k],
-        )
+        row(setting, f"RMSE at {time:g} s", found[k], within(found[k], BARS[k]), unit="K")
         for k, time in enumerate(times)
     ]
     return [*rows, area_row(setting, scene, 1.0)]
@@ -107,18 +99,14 @@ def literal_rows(points_per_cell: int) -> list[Row]:
     rows = []
     for k, found in enumerate(errors(scene, TIMES)):
         reference = LITERAL_ERRORS[points_per_cell][k]
-        bar, ok = quotient_within(found, reference, 0.01)
         rows.append(
-            Row(
-                case=NAME,
-                setting=setting,
-                quantity=f"RMSE at {TIMES[k]:g} s",
+            row(
+                setting,
+                f"RMSE at {TIMES[k]:g} s",
+                found,
+                quotient_within(found, reference, 0.01),
                 unit="K",
-                paper=None,
                 reference=reference,
-                lapilli=found,
-                bar=bar,
-                ok=ok,
             )
         )
     return [*rows, area_row(setting, scene, LITERAL_AREA[points_per_cell])]
@@ -127,17 +115,12 @@ def literal_rows(points_per_cell: int) -> list[Row]:
 def area_row(setting: str, scene: Scene, expected: float) -> Row:
     """How much of the sphere's area the points show."""
     found = area_share(scene)
-    bar, ok = quotient_within(found, expected, 0.005)
-    return Row(
-        case=NAME,
-        setting=setting,
-        quantity="area of the surface over its true area",
-        unit="",
-        paper=None,
+    return row(
+        setting,
+        "area of the surface over its true area",
+        found,
+        quotient_within(found, expected, 0.005),
         reference=expected,
-        lapilli=found,
-        bar=bar,
-        ok=ok,
     )
 
 

@@ -10,9 +10,11 @@ import numpy as np
 from lapilli._core import Scene, Simulation
 from lapilli.references.slab import convective_box
 from lapilli.reproduce.case import Case, Row, example, quotient_within, within
+from lapilli.reproduce.rows import rows_of
 from lapilli.reproduce.states import Array, State, changed, rms, states
 
 NAME = "vhfm/square"
+row = rows_of(NAME)
 HALF = 5.0  # m, half of the side
 TIME = 5.0  # s
 ANGLES = (0, 15, 30, 45)  # degree
@@ -106,12 +108,12 @@ def turned_rows(angle: int) -> list[Row]:
     error = errors(turned(angle, 0.2), angle)
     length = length_share(turned_scene(angle))
     return [
-        row(setting, "RMSE at 5 s", "K", PAPER[angle], rms(error),
-            within(rms(error), BARS[0.2][angle])),
-        row(setting, "largest error at 5 s", "K", None, float(np.abs(error).max()),
-            within(float(np.abs(error).max()), POINT_BAR)),
-        row(setting, "length of the surface over the true one", "", None, length,
-            quotient_within(length, 1.0, LENGTH_SHARE), 1.0),
+        row(setting, "RMSE at 5 s", rms(error),
+            within(rms(error), BARS[0.2][angle]), unit="K", paper=PAPER[angle]),
+        row(setting, "largest error at 5 s", float(np.abs(error).max()),
+            within(float(np.abs(error).max()), POINT_BAR), unit="K"),
+        row(setting, "length of the surface over the true one", length,
+            quotient_within(length, 1.0, LENGTH_SHARE), reference=1.0),
     ]  # fmt: skip
 
 
@@ -120,7 +122,7 @@ def fine_row(angle: int) -> Row:
     found = rms(errors(turned(angle, 0.1), angle))
     return row(
         f"default, turned by {angle}°, h = 0.1 m",
-        "RMSE at 5 s", "K", None, found, within(found, BARS[0.1][angle]),
+        "RMSE at 5 s", found, within(found, BARS[0.1][angle]), unit="K",
     )  # fmt: skip
 
 
@@ -129,10 +131,10 @@ def lattice_rows() -> list[Row]:
     plain = rms(errors(next(states(lattice_scene(), [TIME])), 45))
     clipped = rms(errors(next(states(changed(lattice_scene(), "bodies.0.clip=true"), [TIME])), 45))
     return [
-        row("default, configuration B, h = 0.2 m", "RMSE at 5 s", "K", None, plain,
-            within(plain, LATTICE_BAR)),
-        row("configuration B, boundary points clipped, h = 0.2 m", "RMSE at 5 s", "K", None,
-            clipped, (f"< {plain:.2g}", clipped < plain)),
+        row("default, configuration B, h = 0.2 m", "RMSE at 5 s", plain,
+            within(plain, LATTICE_BAR), unit="K"),
+        row("configuration B, boundary points clipped, h = 0.2 m", "RMSE at 5 s", clipped,
+            (f"< {plain:.2g}", clipped < plain), unit="K"),
     ]  # fmt: skip
 
 
@@ -144,7 +146,7 @@ def central_line_row() -> Row:
         largest = max(largest, float(np.abs(errors(state, 0)[on_line]).max()))
     return row(
         "default, not turned, middle line to 50 s, h = 0.2 m",
-        "largest error", "K", None, largest, within(largest, POINT_BAR),
+        "largest error", largest, within(largest, POINT_BAR), unit="K",
     )  # fmt: skip
 
 
@@ -155,34 +157,11 @@ def rotating_rows(name: str) -> list[Row]:
     error = state.carried - exact
     setting = f"default, {name} rev/s, h = 0.2 m"
     return [
-        row(setting, "RMSE of the carried temperature at 5 s", "K", None, rms(error),
-            within(rms(error), ROTATING_BAR)),
-        row(setting, "relative RMSE of it", "", None, rms(error / exact),
+        row(setting, "RMSE of the carried temperature at 5 s", rms(error),
+            within(rms(error), ROTATING_BAR), unit="K"),
+        row(setting, "relative RMSE of it", rms(error / exact),
             within(rms(error / exact), ROTATING_RELATIVE_BAR)),
     ]  # fmt: skip
-
-
-def row(
-    setting: str,
-    quantity: str,
-    unit: str,
-    paper: float | None,
-    found: float,
-    bar: tuple[str, bool],
-    reference: float | None = None,
-) -> Row:
-    """A row of this case."""
-    return Row(
-        case=NAME,
-        setting=setting,
-        quantity=quantity,
-        unit=unit,
-        paper=paper,
-        reference=reference,
-        lapilli=found,
-        bar=bar[0],
-        ok=bar[1],
-    )
 
 
 def plot(folder: Path, quick: bool) -> list[Path]:
