@@ -1,10 +1,9 @@
 #include "lapilli/mpm/heat/heat_at_rest.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/heat_account.hpp"
 
 namespace lapilli {
 
@@ -78,33 +77,13 @@ std::vector<Ledger> HeatAtRest<Dim>::ledgers() const {
   if (source_) {
     ledger.entries.push_back({"source", source_->booked()});
   }
-  double low = std::numeric_limits<double>::infinity(), high = -low, capacity = 0.0;
-  for (std::size_t place = 0; place < lumped_.size(); ++place) {
-    if (lumped_[place] > 0.0) {
-      ledger.stored += lumped_[place] * temperature_[place];
-      capacity += lumped_[place];
-      low = std::min(low, temperature_[place]);
-      high = std::max(high, temperature_[place]);
-    }
-  }
-  ledger.scale = capacity * (high - low);
+  add_stored_heat(lumped_, temperature_, ledger);
   return {ledger};
 }
 
 template <int Dim>
 std::vector<std::pair<std::string, double>> HeatAtRest<Dim>::diagnostics() const {
-  std::vector<std::pair<std::string, double>> all;
-  if (!laws_.empty()) {
-    double area = 0.0;
-    for (const auto& nodes : laws_.nodes()) {
-      for (const double a : nodes.area) {
-        area += a;
-      }
-    }
-    all.emplace_back("surface_area", area);
-    all.emplace_back("negative_area_share", negative_share_);
-  }
-  return all;
+  return surface_diagnostics(laws_, negative_share_);
 }
 
 template <int Dim>

@@ -1,10 +1,9 @@
 #include "lapilli/mpm/heat/heat_on_points.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/heat_account.hpp"
 
 namespace lapilli {
 
@@ -58,31 +57,13 @@ std::vector<Ledger> HeatOnPoints<Dim>::ledgers() const {
   if (plastic_ != 0.0) {
     ledger.entries.push_back({"plastic work", plastic_});
   }
-  double low = std::numeric_limits<double>::infinity(), high = -low, capacity = 0.0;
-  for (Index row = 0; row < points_.size(); ++row) {
-    ledger.stored += capacity_[row] * temperature_[row];
-    capacity += capacity_[row];
-    low = std::min(low, temperature_[row]);
-    high = std::max(high, temperature_[row]);
-  }
-  ledger.scale = capacity * (high - low);
+  add_stored_heat(capacity_.values(), temperature_.values(), ledger);
   return {ledger};
 }
 
 template <int Dim>
 std::vector<std::pair<std::string, double>> HeatOnPoints<Dim>::diagnostics() const {
-  std::vector<std::pair<std::string, double>> all;
-  if (!laws_.empty()) {
-    double area = 0.0;
-    for (const auto& nodes : laws_.nodes()) {
-      for (const double a : nodes.area) {
-        area += a;
-      }
-    }
-    all.emplace_back("surface_area", area);
-    all.emplace_back("negative_area_share", negative_share_);
-  }
-  return all;
+  return surface_diagnostics(laws_, negative_share_);
 }
 
 template <int Dim>

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lapilli/core/ledger.hpp"
+#include "lapilli/mpm/heat/heat_laws.hpp"
+
+namespace lapilli {
+
+/// Enter what a body stores, sum C T (J), and the scale of its balance: all of its capacity over
+/// the range of its temperatures. Entries without capacity do not count.
+void add_stored_heat(std::span<const double> capacity, std::span<const double> temperature,
+                     Ledger& ledger);
+
+/// Area of the surface and the share of negative areas in it; nothing where there are no laws.
+template <int Dim>
+std::vector<std::pair<std::string, double>> surface_diagnostics(const HeatLaws<Dim>& laws,
+                                                                double negative_share);
+
+}  // namespace lapilli
