@@ -239,12 +239,7 @@ SurfaceView HeatLaws<Dim>::surface() const {
   SurfaceView view;
   view.dimension = Dim;
   for (const Nodes& nodes : nodes_) {
-    for (std::size_t k = 0; k < nodes.node.size(); ++k) {
-      view.position.insert(view.position.end(), nodes.position[k].data(),
-                           nodes.position[k].data() + Dim);
-      view.normal.insert(view.normal.end(), nodes.normal[k].data(), nodes.normal[k].data() + Dim);
-    }
-    view.area.insert(view.area.end(), nodes.area.begin(), nodes.area.end());
+    view.append(nodes);
   }
   return view;
 }

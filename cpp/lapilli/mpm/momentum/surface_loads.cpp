@@ -192,12 +192,8 @@ template <int Dim>
 SurfaceView SurfaceLoads<Dim>::surface() const {
   SurfaceView view;
   view.dimension = Dim;
-  for (const Nodes& n : nodes_) {
-    for (std::size_t k = 0; k < n.node.size(); ++k) {
-      view.position.insert(view.position.end(), n.position[k].data(), n.position[k].data() + Dim);
-      view.normal.insert(view.normal.end(), n.normal[k].data(), n.normal[k].data() + Dim);
-      view.area.push_back(n.area[k]);
-    }
+  for (const Nodes& nodes : nodes_) {
+    view.append(nodes);
   }
   return view;
 }
