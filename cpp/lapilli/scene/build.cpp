@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapilli/geometry/checks.hpp"
+#include "lapilli/geometry/combine.hpp"
 #include "lapilli/mpm/heat/heat_on_points.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/momentum/momentum.hpp"
@@ -59,13 +60,7 @@ DistanceFunction distance_of(const Scene& scene) {
     }
     shapes.push_back(*shape);
   }
-  return [shapes](const Vec3& at) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Shape& shape : shapes) {
-      least = std::min(least, distance(shape, at));
-    }
-    return least;
-  };
+  return [all = Union{std::move(shapes)}](const Vec3& at) { return all.distance(at); };
 }
 
 bool has_motion(const Scene& scene) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "lapilli/geometry/combine.hpp"
 #include "lapilli/peridynamics/build.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/place_errors.hpp"
@@ -45,13 +46,7 @@ FluidDistance region_of(const Scene& scene) {
                "needs a shape: walls are found by their distance from it");
     shapes.push_back(*shape);
   }
-  return [shapes](const Vec3& at) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Shape& shape : shapes) {
-      least = std::min(least, distance(shape, at));
-    }
-    return least;
-  };
+  return [all = Union{std::move(shapes)}](const Vec3& at) { return all.distance(at); };
 }
 
 double longest_horizon(const PeridynamicsSettings& settings, double spacing) {
