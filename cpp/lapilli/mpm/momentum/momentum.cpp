@@ -48,7 +48,7 @@ StepReport Momentum<Dim>::advance(const Step& step) {
   }
   PointSums velocities;
   if (data_.settings.stress_update == StressUpdate::musl) {
-    velocities = update_velocities(data_, step.size);
+    velocities = update_velocities(data_);
     solve_second_velocity(data_);
   }
   PointSums sums = update_points(data_, step.size);

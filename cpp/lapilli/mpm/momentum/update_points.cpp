@@ -101,11 +101,11 @@ void deform_block(MomentumData<Dim>& data, const DeformationBlock<Dim>& block, I
   }
 }
 
-template <int Dim, class Shape, VelocityTransfer transfer>
-PointSums update_usl_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& stencil, double step,
-                          Index begin, Index end) {
-  const VelocityUpdate<Dim, Shape, transfer, true> update(data);
-  typename VelocityUpdate<Dim, Shape, transfer, true>::Nodes nodes(stencil, update.from);
+/// Move and deform the points [begin, end), a block at a time. read(row, axes, weights, velocity,
+/// gradient, sums) reads both of a point from the nodes.
+template <int Dim, class Shape, class Read>
+[[gnu::always_inline]] inline PointSums move_and_deform(MomentumData<Dim>& data, double step,
+                                                        Index begin, Index end, const Read& read) {
   const ShapeOfBody<Shape> shape_of(data.half_widths);
   const Mover<Dim> move(data, step);
   const Grid<Dim> grid = data.grid;
@@ -119,12 +119,10 @@ PointSums update_usl_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& st
       const Index row = start + k;
       const AxisWeights<Dim, Shape> axes(grid, shape_of(body[row]), position + row * Dim);
       const QuadWeights<Dim, Shape> w(axes.value, axes.slope);
-      nodes.move_to(axes.first);
-      double carried[Dim], gradient[Dim * Dim];
-      sums.kinetic += update(row, nodes, axes, w, carried, gradient);
-      sums.speed = std::max(
-          {sums.speed, squared<Dim>(carried), squared<Dim>(data.velocity.data() + row * Dim)});
-      sums.outside = !move(position + row * Dim, carried) | sums.outside;
+      double velocity[Dim], gradient[Dim * Dim];
+      read(row, axes, w, velocity, gradient, sums);
+      sums.speed = std::max(sums.speed, squared<Dim>(velocity));
+      sums.outside = !move(position + row * Dim, velocity) | sums.outside;
       for (int c = 0; c < Dim * Dim; ++c) {
         block.gradient[c][k] = step * gradient[c];
       }
@@ -132,6 +130,21 @@ PointSums update_usl_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& st
     deform_block(data, block, start, rows, sums);
   }
   return sums;
+}
+
+template <int Dim, class Shape, VelocityTransfer transfer>
+PointSums update_usl_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& stencil, double step,
+                          Index begin, Index end) {
+  const VelocityUpdate<Dim, Shape, transfer, true> update(data);
+  typename VelocityUpdate<Dim, Shape, transfer, true>::Nodes nodes(stencil, update.from);
+  return move_and_deform<Dim, Shape>(
+      data, step, begin, end,
+      [&](Index row, const auto& axes, const auto& w, double* velocity, double* gradient,
+          PointSums& sums) {
+        nodes.move_to(axes.first);
+        sums.kinetic += update(row, nodes, axes, w, velocity, gradient);
+        sums.speed = std::max(sums.speed, squared<Dim>(data.velocity.data() + row * Dim));
+      });
 }
 
 template <int Dim, class Shape, VelocityTransfer transfer>
@@ -173,48 +186,32 @@ PointSums update_musl_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& s
     from[Dim + axis] = data.nodes.second_velocity(axis);
   }
   CellNodes<Dim, Shape, 2 * Dim> nodes(stencil, from);
-  const ShapeOfBody<Shape> shape_of(data.half_widths);
-  const Mover<Dim> move(data, step);
-  const Grid<Dim> grid = data.grid;
-  double* position = data.points.position().data();
-  const Index* body = data.points.body().data();
-  DeformationBlock<Dim> block;
-  PointSums sums;
-  for (Index start = begin; start < end; start += block_rows) {
-    const int rows = static_cast<int>(std::min<Index>(block_rows, end - start));
-    for (int k = 0; k < rows; ++k) {
-      const Index row = start + k;
-      const AxisWeights<Dim, Shape> axes(grid, shape_of(body[row]), position + row * Dim);
-      const QuadWeights<Dim, Shape> w(axes.value, axes.slope);
-      nodes.move_to(axes.first);
-      constexpr int count = (Dim + Dim * Dim + 3) / 4 * 4;
-      Quad parts[count];
-      for (int axis = 0; axis < Dim; ++axis) {
-        parts[axis] = nodes.weigh(axis, w.value);
-        for (int along = 0; along < Dim; ++along) {
-          parts[Dim + axis * Dim + along] = nodes.weigh(Dim + axis, w.slope[along]);
+  return move_and_deform<Dim, Shape>(
+      data, step, begin, end,
+      [&](Index, const auto& axes, const auto& w, double* velocity, double* gradient, PointSums&) {
+        nodes.move_to(axes.first);
+        constexpr int count = (Dim + Dim * Dim + 3) / 4 * 4;
+        Quad parts[count];
+        for (int axis = 0; axis < Dim; ++axis) {
+          parts[axis] = nodes.weigh(axis, w.value);
+          for (int along = 0; along < Dim; ++along) {
+            parts[Dim + axis * Dim + along] = nodes.weigh(Dim + axis, w.slope[along]);
+          }
         }
-      }
-      for (int c = Dim + Dim * Dim; c < count; ++c) {
-        parts[c] = all(0.0);
-      }
-      alignas(32) double value[count];
-      add_lanes(parts, value);
-      sums.speed = std::max(sums.speed, squared<Dim>(value));
-      sums.outside = !move(position + row * Dim, value) | sums.outside;
-      for (int c = 0; c < Dim * Dim; ++c) {
-        block.gradient[c][k] = step * value[Dim + c];
-      }
-    }
-    deform_block(data, block, start, rows, sums);
-  }
-  return sums;
+        for (int c = Dim + Dim * Dim; c < count; ++c) {
+          parts[c] = all(0.0);
+        }
+        alignas(32) double value[count];
+        add_lanes(parts, value);
+        std::copy_n(value, Dim, velocity);
+        std::copy_n(value + Dim, Dim * Dim, gradient);
+      });
 }
 
 }  // namespace
 
 template <int Dim>
-PointSums update_velocities(MomentumData<Dim>& data, double) {
+PointSums update_velocities(MomentumData<Dim>& data) {
   data.nodes.clear_second_velocity();
   std::vector<PointSums> partial(static_cast<std::size_t>(data.order.strip_count()));
   with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
@@ -247,8 +244,8 @@ PointSums update_points(MomentumData<Dim>& data, double step) {
   return total;
 }
 
-template PointSums update_velocities<2>(MomentumData<2>&, double);
-template PointSums update_velocities<3>(MomentumData<3>&, double);
+template PointSums update_velocities<2>(MomentumData<2>&);
+template PointSums update_velocities<3>(MomentumData<3>&);
 template PointSums update_points<2>(MomentumData<2>&, double);
 template PointSums update_points<3>(MomentumData<3>&, double);
 

@@ -7,7 +7,7 @@ namespace lapilli {
 /// New point velocities from the solved nodes, and their momentum projected once more to the
 /// `second_velocity` of the nodes (MUSL). Returns the kinetic energy and largest speed.
 template <int Dim>
-PointSums update_velocities(MomentumData<Dim>& data, double step);
+PointSums update_velocities(MomentumData<Dim>& data);
 
 /// Move the points with the nodal velocity, deform them with the gradient of `strain_velocity`
 /// (USL) or `second_velocity` (MUSL), and update stress and volume; under USL also the velocities.
