@@ -1,0 +1,92 @@
+#include <iomanip>
+
+#include "lapilli/scene/check.hpp"
+#include "lapilli/scene/emit.hpp"
+#include "lapilli/scene/tree_writer.hpp"
+
+namespace lapilli {
+namespace {
+
+std::string readable_memory(double bytes) {
+  const bool large = bytes > 1e9;
+  return message(std::setprecision(3), bytes / (large ? 1e9 : 1e6), large ? " GB" : " MB");
+}
+
+std::string readable_time(double seconds) {
+  return seconds < 120.0 ? message(std::setprecision(2), seconds, " s")
+                         : message(std::setprecision(2), seconds / 60.0, " min");
+}
+
+Tree list_of(const std::vector<std::string>& words) {
+  Tree::Array array;
+  for (const std::string& word : words) {
+    array.push_back({word, {}});
+  }
+  return {std::move(array), {}};
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  return words.empty() ? "nothing" : joined(words);
+}
+
+}  // namespace
+
+std::string text_of(const CheckReport& report) {
+  std::string cells;
+  for (const Index count : report.cells) {
+    cells += (cells.empty() ? "" : " x ") + std::to_string(count);
+  }
+  constexpr const char* sizes[] = {"length", "area", "volume"};
+  constexpr const char* units[] = {" m", " m^2", " m^3"};
+  std::string text = report.title.empty() ? "" : report.title + "\n";
+  text += message("grid          ", cells, " cells, ", report.nodes, " nodes\n");
+  for (const CheckReport::BodyReport& body : report.bodies) {
+    text += message("body          ", body.name, ": ", body.points, " points, ",
+                    sizes[report.dimension - 1], " ", body.volume, units[report.dimension - 1],
+                    ", spacing ", body.spacing, " m\n");
+  }
+  text += message("models        ", listed(report.modelled), "\n");
+  text += message("leaves out    ", listed(report.not_modelled), "\n");
+  text += message("step          ", report.step, " s (", report.step_reason, "), limit ",
+                  report.hard_limit, " s, ", report.steps, " steps\n");
+  text += message("memory        about ", readable_memory(report.memory), "\n");
+  text += message("time          about ", readable_time(report.seconds_to_run), ", and ",
+                  readable_time(report.seconds_to_build), " to build\n");
+  for (const std::string& note : report.notes) {
+    text += message("note          ", note, "\n");
+  }
+  return text;
+}
+
+std::string json_of(const CheckReport& report) {
+  Tree::Array cells, bodies;
+  for (const Index count : report.cells) {
+    cells.push_back({count, {}});
+  }
+  for (const CheckReport::BodyReport& body : report.bodies) {
+    bodies.push_back({Tree::Table{{"name", {}, {body.name, {}}},
+                                  {"points", {}, {body.points, {}}},
+                                  {"volume", {}, {body.volume, {}}},
+                                  {"spacing", {}, {body.spacing, {}}}},
+                      {}});
+  }
+  return emit_json({Tree::Table{{"title", {}, {report.title, {}}},
+                                {"dimension", {}, {Index{report.dimension}, {}}},
+                                {"cells", {}, {std::move(cells), {}}},
+                                {"nodes", {}, {report.nodes, {}}},
+                                {"bodies", {}, {std::move(bodies), {}}},
+                                {"points", {}, {report.points, {}}},
+                                {"modelled", {}, list_of(report.modelled)},
+                                {"not_modelled", {}, list_of(report.not_modelled)},
+                                {"step", {}, {report.step, {}}},
+                                {"hard_limit", {}, {report.hard_limit, {}}},
+                                {"step_reason", {}, {report.step_reason, {}}},
+                                {"steps", {}, {report.steps, {}}},
+                                {"memory", {}, {report.memory, {}}},
+                                {"seconds_to_build", {}, {report.seconds_to_build, {}}},
+                                {"seconds_to_run", {}, {report.seconds_to_run, {}}},
+                                {"notes", {}, list_of(report.notes)}},
+                    {}});
+}
+
+}  // namespace lapilli
