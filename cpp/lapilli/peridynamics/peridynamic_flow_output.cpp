@@ -1,0 +1,84 @@
+#include "lapilli/peridynamics/heat.hpp"
+#include "lapilli/peridynamics/peridynamic_flow.hpp"
+
+namespace lapilli {
+
+template <int Dim>
+void PeridynamicFlow<Dim>::refresh_output() {
+  for (Index i = 0; i < points_.size(); ++i) {
+    pressure_field_[i] = pressure_(density_[i]);
+  }
+}
+
+template <int Dim>
+std::vector<Field> PeridynamicFlow<Dim>::fields() {
+  return {{"velocity", "m/s", Dim, velocity_.values()},
+          {"density", "kg/m^3", 1, density_.values()},
+          {"pressure", "Pa", 1, pressure_field_.values()}};
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, double>> PeridynamicFlow<Dim>::diagnostics() const {
+  const auto [low, high] = density_variation();
+  return {
+      {"velocity noise", velocity_noise()}, {"least density variation", low},
+      {"greatest density variation", high}, {"smallest spacing", smallest_spacing()},
+      {"sound speed", sound_speed_},        {"family searches", static_cast<double>(searches())}};
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::save(Archive& archive) const {
+  archive.write("flow/velocity", velocity_.values());
+  archive.write("flow/acceleration", acceleration_.values());
+  archive.write("flow/density", density_.values());
+  archive.write("flow/mass", mass_.values());
+  archive.write("flow/shift", shift_.values());
+  const double numbers[] = {least_density_, most_density_, smallest_spacing_, sound_speed_,
+                            started_ ? 1.0 : 0.0};
+  archive.write("flow/numbers", numbers);
+  if (dissipation_) {
+    archive.write("flow/dissipation", dissipation_->values());
+  }
+  families_.save(archive, "flow/families");
+  if (heat_ == nullptr) {
+    walls_->save(archive);
+  }
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::load(const Archive& archive) {
+  archive.read("flow/velocity", velocity_.values());
+  archive.read("flow/acceleration", acceleration_.values());
+  archive.read("flow/density", density_.values());
+  archive.read("flow/mass", mass_.values());
+  archive.read("flow/shift", shift_.values());
+  double numbers[5];
+  archive.read("flow/numbers", numbers);
+  least_density_ = numbers[0];
+  most_density_ = numbers[1];
+  smallest_spacing_ = numbers[2];
+  sound_speed_ = numbers[3];
+  pressure_.sound_speed = sound_speed_;
+  started_ = numbers[4] == 1.0;
+  if (dissipation_) {
+    archive.read("flow/dissipation", dissipation_->values());
+  }
+  if (heat_ == nullptr) {
+    walls_->load(archive);
+  }
+  families_.load(archive, "flow/families");
+  bond_weight_.resize(static_cast<std::size_t>(families_.bonds()));
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                                                  \
+  template void PeridynamicFlow<Dim>::refresh_output();                                           \
+  template std::vector<Field> PeridynamicFlow<Dim>::fields();                                     \
+  template std::vector<std::pair<std::string, double>> PeridynamicFlow<Dim>::diagnostics() const; \
+  template void PeridynamicFlow<Dim>::save(Archive& archive) const;                               \
+  template void PeridynamicFlow<Dim>::load(const Archive& archive);
+LAPILLI_INSTANTIATE(1)
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+}  // namespace lapilli
