@@ -7,6 +7,7 @@ from collections.abc import Callable
 from lapilli.reproduce.case import Row
 
 Bar = tuple[str, bool]
+NO_BAR: Bar = ("", True)
 
 
 def rows_of(case: str) -> Callable[..., Row]:

@@ -14,7 +14,7 @@ def test_cavity_at_half_the_points():
 @pytest.mark.slow
 @pytest.mark.parametrize("rayleigh", list(cavity.PLANS))
 def test_cavity_at_full_size(rayleigh):
-    for row in cavity.rows_of(rayleigh, cavity.PLANS[rayleigh]):
+    for row in cavity.plan_rows(rayleigh, cavity.PLANS[rayleigh]):
         assert row.ok, row
 
 

@@ -18,9 +18,11 @@ from lapilli._core import Simulation
 from lapilli.references.cavity import Box, solve
 from lapilli.reproduce.case import Case, Row, example, quotient_within, within
 from lapilli.reproduce.pd.fluid_state import FluidState, carried_nusselt, fluid_state, sample
+from lapilli.reproduce.rows import NO_BAR, between, near, rows_of
 from lapilli.reproduce.states import Array, changed
 
 NAME = "pd/benard"
+row = rows_of(NAME)
 PRANDTL, WATER = 0.71, 0.235
 
 
@@ -116,16 +118,10 @@ def run(quick: bool) -> list[Row]:
     return rows if quick else rows + [row for name in FIGURES for row in figure_rows(name)]
 
 
-def row(setting: str, quantity: str, reference: float | None, value: float, bar: str,
-        ok: bool) -> Row:  # fmt: skip
-    return Row(case=NAME, setting=setting, quantity=quantity, unit="", paper=None,
-               reference=reference, lapilli=value, bar=bar, ok=ok)  # fmt: skip
-
-
 def still_row() -> Row:
     """Below the onset the disturbance dies."""
     value = float(grown(STILL).nusselt[-1])
-    return row(STILL.title, "Nu of the volume", 1.0, value, "< 1.02", value < 1.02)
+    return row(STILL.title, "Nu of the volume", value, ("< 1.02", value < 1.02), reference=1.0)
 
 
 def two_roll_rows() -> list[Row]:
@@ -136,10 +132,16 @@ def two_roll_rows() -> list[Row]:
     last = float(found.nusselt[-5:].mean())
     swing = float(np.ptp(found.nusselt[-5:]) / last)
     return [
-        row(layer.title, "rolls", 2, found.rolls, "2", found.rolls == 2),
-        row(layer.title, "Nu of the volume", right, last, *quotient_within(last, right, 0.03)),
-        row(layer.title, "Nu of the volume", None, last, "1.85 to 2.0", 1.85 <= last <= 2.0),
-        row(layer.title, "its last change", None, swing, *within(swing, 0.01)),
+        row(layer.title, "rolls", found.rolls, near(found.rolls, 2, 0), reference=2),
+        row(
+            layer.title,
+            "Nu of the volume",
+            last,
+            quotient_within(last, right, 0.03),
+            reference=right,
+        ),
+        row(layer.title, "Nu of the volume", last, between(last, 1.85, 2.0)),
+        row(layer.title, "its last change", swing, within(swing, 0.01)),
     ]
 
 
@@ -147,16 +149,13 @@ def figure_rows(name: str) -> list[Row]:
     """What became of one layer of the paper."""
     layer, found = FIGURES[name], grown(FIGURES[name])
     setting = f"{name}: {layer.title}"
-    rows = [
-        row(setting, "Nu of the volume", None, float(found.nusselt[-1]), "", True),
-        row(setting, "its change over the last half", None, float(np.ptp(found.nusselt)), "", True),
+    drawn = ROLLS.get(name)
+    bar = NO_BAR if drawn is None else near(found.rolls, drawn, 0)
+    return [
+        row(setting, "Nu of the volume", found.nusselt[-1], NO_BAR),
+        row(setting, "its change over the last half", np.ptp(found.nusselt), NO_BAR),
+        row(setting, "rolls", found.rolls, bar, paper=drawn),
     ]
-    if name in ROLLS:
-        rows.append(row(setting, "rolls", ROLLS[name], found.rolls, str(ROLLS[name]),
-                        found.rolls == ROLLS[name]))  # fmt: skip
-    else:
-        rows.append(row(setting, "rolls", None, found.rolls, "", True))
-    return rows
 
 
 def plot(folder: Path, quick: bool) -> list[Path]:

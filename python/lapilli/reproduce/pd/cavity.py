@@ -18,9 +18,11 @@ from lapilli.reproduce.pd.fluid_state import (
     sample,
     wall_flux,
 )
+from lapilli.reproduce.rows import Bar, at_least, near, rows_of
 from lapilli.reproduce.states import Array, changed
 
 NAME = "pd/cavity"
+row = rows_of(NAME)
 PRANDTL = 0.71
 LOOKS = 8  # states averaged over the last fifth: points that pass a wall make its power flicker
 LINE = np.linspace(0.015, 0.985, 195)
@@ -115,46 +117,45 @@ def run(quick: bool) -> list[Row]:
     """Rayleigh numbers 1e3, 1e4 and 1e5 with 80 x 80 points, 1e6 with 160 x 160; 1e4 with 40 x 40
     if `quick`."""
     if quick:
-        return rows_of(1e4, QUICK)
-    found = [row for rayleigh, plan in PLANS.items() for row in rows_of(rayleigh, plan)]
+        return plan_rows(1e4, QUICK)
+    found = [row for rayleigh, plan in PLANS.items() for row in plan_rows(rayleigh, plan)]
     return [*found, *order_rows(), *finest_rows()]
 
 
-def rows_of(rayleigh: float, plan: Plan) -> list[Row]:
+def plan_rows(rayleigh: float, plan: Plan) -> list[Row]:
     """All numbers of one Rayleigh number beside the benchmark."""
     seen = measured(rayleigh, plan.rows, plan.end)
     right = DE_VAHL_DAVIS[rayleigh]
     numbers = seen.diagnostics
 
-    def row(quantity: str, value: float, reference: float | None, bar: tuple[str, bool]) -> Row:
-        setting = f"Ra {rayleigh:.0e}, {plan.rows} x {plan.rows} points"
-        return Row(case=NAME, setting=setting, quantity=quantity, unit="", paper=None,
-                   reference=reference, lapilli=value, bar=bar[0], ok=bar[1])  # fmt: skip
+    setting = f"Ra {rayleigh:.0e}, {plan.rows} x {plan.rows} points"
 
-    def near(quantity: str, value: float, reference: float, share: float) -> Row:
-        return row(quantity, value, reference, quotient_within(value, reference, share))
+    def beside(quantity: str, value: float, reference: float, bar: Bar) -> Row:
+        return row(setting, quantity, value, bar, reference=reference)
+
+    def share(quantity: str, value: float, reference: float, most: float) -> Row:
+        return beside(quantity, value, reference, quotient_within(value, reference, most))
 
     def place(quantity: str, value: float, reference: float) -> Row:
-        words, ok = within(value - reference, plan.position)
-        return row(quantity, value, reference, (f"off by {words}", ok))
+        return beside(quantity, value, reference, near(value, reference, plan.position))
 
     wall = 0.5 * (seen.hot + seen.cold)
     variation = max(-numbers["flow/least density variation"],
                     numbers["flow/greatest density variation"])  # fmt: skip
     spacing = numbers["flow/smallest spacing"]
     return [
-        near("Nu of the volume", seen.nusselt, right.nusselt, plan.nusselt),
-        near("largest u", seen.horizontal.max(), right.horizontal_peak, plan.horizontal),
+        share("Nu of the volume", seen.nusselt, right.nusselt, plan.nusselt),
+        share("largest u", seen.horizontal.max(), right.horizontal_peak, plan.horizontal),
         place("its y", LINE[seen.horizontal.argmax()], right.horizontal_peak_at),
-        near("largest v", seen.vertical.max(), right.vertical_peak, plan.vertical),
+        share("largest v", seen.vertical.max(), right.vertical_peak, plan.vertical),
         place("its x", LINE[seen.vertical.argmax()], right.vertical_peak_at),
-        near("Nu of the hot wall", seen.hot, seen.cold, 0.01),
-        near("Nu of the walls", wall, seen.nusselt, 0.02),
-        near("largest local Nu", seen.local.max(), LARGEST_LOCAL[rayleigh], plan.local),
-        row("velocity noise", numbers["flow/velocity noise"], None,
+        share("Nu of the hot wall", seen.hot, seen.cold, 0.01),
+        share("Nu of the walls", wall, seen.nusselt, 0.02),
+        share("largest local Nu", seen.local.max(), LARGEST_LOCAL[rayleigh], plan.local),
+        row(setting, "velocity noise", numbers["flow/velocity noise"],
             within(numbers["flow/velocity noise"], plan.noise)),
-        row("density variation", variation, None, within(variation, plan.density)),
-        row("smallest spacing", spacing, None, (">= 0.7", spacing >= 0.7)),
+        row(setting, "density variation", variation, within(variation, plan.density)),
+        row(setting, "smallest spacing", spacing, at_least(spacing, 0.7)),
     ]  # fmt: skip
 
 
@@ -179,20 +180,18 @@ def order_rows() -> list[Row]:
     coarse = Plan(rows=40, end=fine.end, nusselt=1, horizontal=1, vertical=1, noise=1)
     gain = six_errors(1e4, coarse) / six_errors(1e4, fine)
     return [
-        Row(case=NAME, setting="Ra 1e+04, 40 x 40 to 80 x 80 points",
-            quantity="RMS of the six errors falls by", unit="", paper=None, reference=None,
-            lapilli=gain, bar=">= 1.5", ok=gain >= 1.5),
+        row("Ra 1e+04, 40 x 40 to 80 x 80 points", "RMS of the six errors falls by", gain,
+            at_least(gain, 1.5)),
     ]  # fmt: skip
 
 
 def finest_rows() -> list[Row]:
     """Beyond the paper."""
     seen = measured(1e6, FINEST.rows, FINEST.end)
-    words, ok = quotient_within(seen.nusselt, FINE_NUSSELT[1e6], FINEST.nusselt)
-    return [
-        Row(case=NAME, setting="Ra 1e+06, 160 x 160 points", quantity="Nu of the volume", unit="",
-            paper=None, reference=FINE_NUSSELT[1e6], lapilli=seen.nusselt, bar=words, ok=ok),
-    ]  # fmt: skip
+    right = FINE_NUSSELT[1e6]
+    bar = quotient_within(seen.nusselt, right, FINEST.nusselt)
+    setting = f"Ra 1e+06, {FINEST.rows} x {FINEST.rows} points"
+    return [row(setting, "Nu of the volume", seen.nusselt, bar, reference=right)]
 
 
 def plot(folder: Path, quick: bool) -> list[Path]:

@@ -11,9 +11,11 @@ from lapilli._core import Scene, Simulation
 from lapilli.references.slab import prescribed_slab
 from lapilli.reproduce.case import Case, Row, example, within
 from lapilli.reproduce.pd.fluid_state import FluidState, fluid_state
+from lapilli.reproduce.rows import NO_BAR, rows_of
 from lapilli.reproduce.states import Array, changed
 
 NAME = "pd/conduction"
+row = rows_of(NAME)
 TIMES = (0.08, 0.16, 0.32)  # s
 EARLY = 0.05  # s, where the two horizons differ most
 LATTICE_BAR, JITTER_BAR, LITERAL_BAR = 0.002, 0.02, 0.015  # relative L2, 80 x 80
@@ -58,10 +60,8 @@ def run(quick: bool) -> list[Row]:
 
 def error_row(rows: int, setting: str, bar: float, state: FluidState) -> Row:
     """One error beside its bar."""
-    said, ok = within(error(state), bar)
-    setting = f"{rows} x {rows} points, {setting}"
-    return Row(case=NAME, setting=setting, quantity="relative L2 error", unit="", paper=None,
-               reference=None, lapilli=error(state), bar=said, ok=ok)  # fmt: skip
+    found = error(state)
+    return row(f"{rows} x {rows} points, {setting}", "relative L2 error", found, within(found, bar))
 
 
 def horizon_rows(rows: int) -> list[Row]:
@@ -71,11 +71,9 @@ def horizon_rows(rows: int) -> list[Row]:
     wide = error(at(rows, EARLY, literal, "peridynamics.heat.horizon=3.015"))
     setting = f"two fields as in the paper, {rows} x {rows} points, t = {EARLY:g} s"
     return [
-        Row(case=NAME, setting=setting, quantity="relative L2 error, horizon 1.5 dx", unit="",
-            paper=None, reference=None, lapilli=narrow, bar="", ok=True),
-        Row(case=NAME, setting=setting, quantity="relative L2 error, horizon 3 dx", unit="",
-            paper=None, reference=None, lapilli=wide, bar="> 2 x that of 1.5 dx",
-            ok=wide > 2 * narrow),
+        row(setting, "relative L2 error, horizon 1.5 dx", narrow, NO_BAR),
+        row(setting, "relative L2 error, horizon 3 dx", wide,
+            ("> 2 x that of 1.5 dx", wide > 2 * narrow)),
     ]  # fmt: skip
 
 

@@ -12,9 +12,11 @@ import numpy as np
 from lapilli._core import Scene, Simulation
 from lapilli.reproduce.case import Case, Row, example
 from lapilli.reproduce.pd.fluid_state import FluidState, fluid_state, sample
+from lapilli.reproduce.rows import NO_BAR, rows_of
 from lapilli.reproduce.states import Array, changed
 
 NAME = "pd/thermals"
+row = rows_of(NAME)
 COLD, HOT = 23.6, 43.1  # degree C
 MONITOR = 0.008  # m above the plate
 PLATE = (0.015, 0.105)  # m
@@ -84,19 +86,17 @@ def run(quick: bool) -> list[Row]:
     trace = monitor(found)
     setting = f"{1e3 * spacing:g} mm, {len(found.state.volume)} fluid points, {end:g} s"
 
-    def row(quantity: str, unit: str, value: float) -> Row:
-        return Row(case=NAME, setting=setting, quantity=quantity, unit=unit, paper=None,
-                   reference=None, lapilli=value, bar="", ok=True)  # fmt: skip
-
     beat = period(found.time, trace)
     top = found.state.position[found.state.temperature > COLD + ACTIVE, 1]
     return [
-        row("thermals 0.8 cm above the plate", "", thermals(found)),
-        row("warmest at the monitor", "degree C", float(trace.max())),
-        *([row("period at the monitor", "s", beat)] if np.isfinite(beat) else []),
-        row("height of the highest thermal", "cm", 100 * float(top.max(initial=0.0))),
-        row("density variation", "", found.density_variation),
-    ]
+        row(setting, "thermals 0.8 cm above the plate", thermals(found), NO_BAR),
+        row(setting, "warmest at the monitor", trace.max(), NO_BAR, unit="degree C"),
+        *([row(setting, "period at the monitor", beat, NO_BAR, unit="s")]
+          if np.isfinite(beat) else []),
+        row(setting, "height of the highest thermal", 100 * top.max(initial=0.0), NO_BAR,
+            unit="cm"),
+        row(setting, "density variation", found.density_variation, NO_BAR),
+    ]  # fmt: skip
 
 
 def plot(folder: Path, quick: bool) -> list[Path]:
