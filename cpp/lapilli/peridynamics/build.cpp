@@ -34,18 +34,6 @@ void check_length(const std::vector<double>& given, int dimension, const std::st
           " numbers in a scene of dimension ", dimension);
 }
 
-void check_walls(const PeridynamicScene& scene, int dimension) {
-  for (const Wall& wall : scene.walls) {
-    const FluidWallSettings& settings = wall.settings;
-    require(!settings.temperature.is_function() && !settings.flux.is_function(), "wall '",
-            settings.name, "': temperature and flux of a wall are numbers or tables in time");
-    require(settings.heat != WallHeat::convection || settings.coefficient > 0.0, "wall '",
-            settings.name, "' has convection with a coefficient of ", settings.coefficient,
-            " W/(m^2 K), which must be above 0");
-    check_length(settings.velocity, dimension, message("velocity of wall '", settings.name, "'"));
-  }
-}
-
 }  // namespace
 
 std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
@@ -80,10 +68,15 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
             fluid.newtonian.density, " kg/m^3 of the newtonian material");
     horizon = std::max(horizon, scene.flow->horizon * scene.spacing);
   }
-  check_walls(scene, points.dimension());
+  for (const Wall& wall : scene.walls) {
+    check(wall.settings, points.dimension());
+  }
 
   auto walls = std::make_shared<WallSurface>(points, scene.walls, scene.region, scene.spacing);
   walls->require_thickness(horizon);
+  if (scene.flow) {
+    walls->require_closed(scene.region);
+  }
   std::vector<std::unique_ptr<Physics>> physics;
   PeridynamicHeat* heat = nullptr;
   if (scene.heat) {

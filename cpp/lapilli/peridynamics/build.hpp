@@ -29,8 +29,8 @@ struct PeridynamicScene {
 /// moves the points. Walls thick enough for the larger horizon are required.
 ///
 /// Throws std::invalid_argument with the place and the number for settings out of range, a horizon
-/// below the spacing, a wall thinner than the horizon, fluid and walls that overlap, walls or
-/// settings that ask for what the scene lacks.
+/// below the spacing, a wall thinner than the horizon, fluid and walls that overlap, a flow that no
+/// wall holds, walls or settings that ask for what the scene lacks.
 std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
                                                          const PeridynamicScene& scene);
 

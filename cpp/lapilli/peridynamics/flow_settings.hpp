@@ -37,7 +37,7 @@ struct PeridynamicFlowSettings {
   double sound_speed = 0.0;  // m/s; 0: max(factor sqrt(g beta dT l), 10 wall speed, 10 nu / l)
   double sound_speed_factor = 5.0;         // of sqrt(g beta dT l)
   double length = 0.0;                     // m, l; 0: extent of the fluid along gravity
-  double temperature_range = 0.0;          // K, dT; 0: between the walls
+  double temperature_range = 0.0;          // K, dT; 0: what walls and the start span
   double stiffness_exponent = 7.0;         // of the equation of state
   double density_diffusion = 0.1;          // smooths the pressure; 0: none, as in the paper
   double shifting = 0.1;                   // keeps points evenly spread, away from neighbours
@@ -69,7 +69,7 @@ struct PeridynamicFlowSettings {
     visit(Key("temperature_range")
               .unit("K")
               .non_negative()
-              .text("dT of the sound speed; 0: between the walls"),
+              .text("dT of the sound speed; 0: what walls, their surroundings and the start span"),
           self.temperature_range);
     visit(Key("stiffness_exponent").positive().text("of the equation of state"),
           self.stiffness_exponent);

@@ -176,17 +176,6 @@ double PeridynamicHeat::stored() const {
   return parallel_sum(points_.size(), 0.0, [&](Index i) { return capacity_[i] * temperature_[i]; });
 }
 
-double PeridynamicHeat::wall_range() const {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (std::size_t k = 0; k < surface_.size(); ++k) {
-    if (walls_->walls()[k].settings.heat == WallHeat::temperature) {
-      least = std::min(least, surface_[k].temperature);
-      most = std::max(most, surface_[k].temperature);
-    }
-  }
-  return most > least ? most - least : 0.0;
-}
-
 void PeridynamicHeat::refresh_output() {
   exchange_->refresh();
   exchange_->wall_rows(temperature_.data(), surface_, wall_heat_flux_.data(), met_area_.data());

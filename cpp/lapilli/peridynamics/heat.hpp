@@ -40,8 +40,6 @@ class PeridynamicHeat final : public Physics {
   const Fluid& material() const { return fluid_; }
   /// Heat flow from a wall into the fluid in the last step, W.
   double wall_power(int wall) const { return from_walls_[wall]; }
-  /// Difference between the highest and the lowest temperature prescribed by walls, K.
-  double wall_range() const;
   /// Mean heat flux into each point from the walls it meets, W/m^2, and the area it meets them
   /// with, m^(dimension - 1); brought up to date by refresh_output().
   const PointArray& wall_heat_flux() const { return wall_heat_flux_; }

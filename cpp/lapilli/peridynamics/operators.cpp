@@ -1,5 +1,6 @@
 #include "lapilli/peridynamics/operators.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <atomic>
 #include <cmath>
@@ -8,6 +9,23 @@
 #include "lapilli/core/require.hpp"
 
 namespace lapilli {
+namespace {
+
+/// Inverse of a shape matrix in the directions that bonds span, zero in others.
+template <int Dim>
+Mat<Dim> inverse_along_span(const Mat<Dim>& shape) {
+  constexpr double flat = 0.02;  // of the largest eigenvalue
+  const Eigen::SelfAdjointEigenSolver<Mat<Dim>> solved(shape);
+  Vec<Dim> inverse = Vec<Dim>::Zero();
+  for (int d = 0; d < Dim; ++d) {
+    if (solved.eigenvalues()[d] > flat * solved.eigenvalues()[Dim - 1]) {
+      inverse[d] = 1.0 / solved.eigenvalues()[d];
+    }
+  }
+  return solved.eigenvectors() * inverse.asDiagonal() * solved.eigenvectors().transpose();
+}
+
+}  // namespace
 
 template <int Dim>
 template <class Body>
@@ -23,7 +41,8 @@ void NonlocalOperators<Dim>::for_bonds(Index point, const Body& body) const {
 
 template <int Dim>
 NonlocalOperators<Dim>::NonlocalOperators(const Points& points, const Families& families,
-                                          const BondWeight& weight, std::span<const double> volume)
+                                          const BondWeight& weight, std::span<const double> volume,
+                                          const std::function<bool(Index)>& may_be_flat)
     : points_(points),
       families_(families),
       influence_(weight),
@@ -44,6 +63,10 @@ NonlocalOperators<Dim>::NonlocalOperators(const Points& points, const Families& 
       shape += bond_weight_[bond] * y * y.transpose();
     }
     trace_[i] = shape.trace();
+    if (may_be_flat && may_be_flat(i)) {
+      inverse_shape_[i] = inverse_along_span<Dim>(shape);
+      return;
+    }
     if (!(shape.determinant() > 1e-9 * std::pow(trace_[i] / Dim, Dim))) {
       flat = i;
       return;

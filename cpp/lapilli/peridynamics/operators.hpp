@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,9 +19,11 @@ template <int Dim>
 class NonlocalOperators {
  public:
   /// Weights and inverse shape matrices for the points where they are now; `families` must be up to
-  /// date. `volume` one a point: 0 leaves a point out of all families.
+  /// date. `volume` one a point: 0 leaves a point out of all families. Points for which
+  /// `may_be_flat` says so take gradients along the directions that their families span.
   NonlocalOperators(const Points& points, const Families& families, const BondWeight& weight,
-                    std::span<const double> volume);
+                    std::span<const double> volume,
+                    const std::function<bool(Index)>& may_be_flat = {});
 
   /// sum of w (f_j - f_i) M^-1 Y V (Eqs. 26, 29): exact for linear fields. `scalar` one a point.
   std::vector<Vec<Dim>> gradient(std::span<const double> scalar) const;

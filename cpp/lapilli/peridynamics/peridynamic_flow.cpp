@@ -54,8 +54,7 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
       weight_{settings.influence, settings.horizon * walls_->spacing(), walls_->spacing(), true},
       lattice_constant_(2.0 / lattice_moment(Dim, weight_)),
       gravity_(vector_of<Dim>(settings.gravity)),
-      sound_speed_(choose_sound_speed(points, *walls_, settings, fluid.newtonian,
-                                      heat != nullptr ? heat->wall_range() : 0.0)),
+      sound_speed_(choose_sound_speed(points, *walls_, settings, fluid, heat)),
       pressure_{fluid.newtonian.density, sound_speed_, settings.stiffness_exponent},
       two_field_(settings.laplacian == Laplacian::literal ||
                  settings.laplacian == Laplacian::zero_energy),
@@ -80,6 +79,7 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
     mass_[i] = fluid.newtonian.density * points.volume()[i];
     if (const int wall = walls_->wall(i); wall >= 0) {
       const Vec<Dim> v = vector_of<Dim>(walls_->walls()[wall].settings.velocity);
+      walls_slide_ |= !v.isZero(0.0);
       std::copy(v.data(), v.data() + Dim, velocity_.data() + i * Dim);
     }
   }
@@ -222,8 +222,14 @@ void PeridynamicFlow<Dim>::update_density(double step_size) {
       if (fluid(i)) {
         add_wall_velocity(*walls_, families_, rows_.data(), bond_weight_.data(), i, sums);
         closest = std::min(closest, sums.least_squared);
+      } else if (walls_slide_) {
+        leave_out_walls(families_, rows_.data(), bond_weight_.data(), i, sums);
       }
       update_point(i, sums, step_size);
+      if (dissipation_ && fluid(i)) {
+        (*dissipation_)[i] = viscous_heating(*walls_, families_, rows_.data(), bond_weight_.data(),
+                                             i, sums, fluid_.viscosity);
+      }
       if (fluid(i)) {
         least = std::min(least, density_[i]);
         most = std::max(most, density_[i]);
@@ -266,10 +272,6 @@ void PeridynamicFlow<Dim>::update_point(Index point, const BondSums<Dim>& sums, 
     const double mean = sums.count > 0.0 ? sums.length / sums.count : 0.0;
     for (int d = 0; d < Dim; ++d) {
       shift_[point * Dim + d] = mean * mean * sums.crowding[d];
-    }
-    if (dissipation_) {
-      const Mat<Dim> rate = 0.5 * (gradient + gradient.transpose());
-      (*dissipation_)[point] = 2.0 * fluid_.viscosity * rate.squaredNorm();
     }
   }
 }
@@ -355,10 +357,11 @@ void PeridynamicFlow<Dim>::check_density() {
   for (Index i = 0; i < points_.size(); ++i) {
     const double variation = density_[i] / fluid_.density - 1.0;
     if (fluid(i) && !(std::abs(variation) <= allowed)) {
-      throw RunError(message("density of point ", points_.id()[i], " is ", 100.0 * variation,
-                             " % off its reference, more than the allowed ", 100.0 * allowed,
-                             " %: the flow outruns its sound speed of ", sound_speed_,
-                             " m/s; raise sound_speed_factor, or the step is too long"));
+      throw RunError(
+          message("density of point ", points_.id()[i], " is ", 100.0 * variation,
+                  " % off its reference, more than the allowed ", 100.0 * allowed,
+                  " %: the flow outruns its sound speed of ", sound_speed_,
+                  " m/s; raise sound_speed_factor or give sound_speed, or the step is too long"));
     }
   }
 }

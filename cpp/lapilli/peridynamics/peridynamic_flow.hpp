@@ -80,6 +80,7 @@ class PeridynamicFlow final : public Flow {
   double sound_speed_;
   EquationOfState pressure_;
   bool two_field_;
+  bool walls_slide_ = false;  // any wall has a velocity
 
   PointArray velocity_, acceleration_, density_, mass_, shift_, pressure_field_;
   std::unique_ptr<PointArray> dissipation_;

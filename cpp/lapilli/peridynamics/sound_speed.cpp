@@ -2,43 +2,115 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/checks.hpp"
+#include "lapilli/peridynamics/heat.hpp"
 
 namespace lapilli {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Span {
+  double least = infinity, most = -infinity;
+
+  void take(double value) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  void take(const Value& value) {
+    if (const auto* table = std::get_if<Table>(&value.form())) {
+      for (const double one : table->values) {
+        take(one);
+      }
+    } else {
+      take(value.at(0.0));
+    }
+  }
+  double size() const { return most > least ? most - least : 0.0; }
+  double greatest_size() const { return std::max({0.0, std::abs(least), std::abs(most)}); }
+};
+
+double extent_along(const Points& points, const WallSurface& walls, const Vec3& direction) {
+  Span span;
+  for (Index i = 0; i < points.size(); ++i) {
+    if (walls.wall(i) < 0) {
+      span.take(direction.dot(walls.place(i)));
+    }
+  }
+  return span.size() + walls.spacing();
+}
+
+double length_of(const Points& points, const WallSurface& walls, const Vec3& gravity) {
+  if (gravity.norm() > 0.0) {
+    return extent_along(points, walls, gravity.normalized());
+  }
+  double least = infinity;
+  for (int d = 0; d < points.dimension(); ++d) {
+    least = std::min(least, extent_along(points, walls, Vec3::Unit(d)));
+  }
+  return least;
+}
+
+double temperature_range(const Points& points, const PeridynamicHeat& heat, double length) {
+  const WallSurface& walls = heat.walls();
+  const Fluid& fluid = heat.material();
+  Span temperature;
+  double driven = 0.0;  // K m/W, over the conductivity
+  for (const Wall& wall : walls.walls()) {
+    const WallHeat kind = wall.settings.heat;
+    if (kind == WallHeat::temperature || kind == WallHeat::convection) {
+      temperature.take(wall.settings.temperature);
+    } else if (kind == WallHeat::flux) {
+      Span flux;
+      flux.take(wall.settings.flux);
+      driven = std::max(driven, flux.greatest_size() * length);
+    }
+  }
+  for (const FluidBody& body : fluid.bodies) {
+    Span source;
+    source.take(body.source);
+    driven = std::max(driven, source.greatest_size() * length * length / 8.0);
+  }
+  for (Index i = 0; i < points.size(); ++i) {
+    if (walls.wall(i) < 0) {
+      temperature.take(heat.temperature()[i]);
+    }
+  }
+  const double conductivity = fluid.conductivity();
+  return std::max(temperature.size(), conductivity > 0.0 ? driven / conductivity : 0.0);
+}
+
+}  // namespace
 
 double choose_sound_speed(const Points& points, const WallSurface& walls,
-                          const PeridynamicFlowSettings& settings, const Newtonian& fluid,
-                          double wall_range) {
+                          const PeridynamicFlowSettings& settings, const Fluid& fluid,
+                          const PeridynamicHeat* heat) {
   if (settings.sound_speed > 0.0) {
     return settings.sound_speed;
   }
-  double wall_speed = 0.0;
+  double moving = 0.0;  // m/s
   for (const Wall& wall : walls.walls()) {
-    wall_speed = std::max(wall_speed, place(wall.settings.velocity).norm());
+    moving = std::max(moving, place(wall.settings.velocity).norm());
+  }
+  for (const FluidBody& body : fluid.bodies) {
+    moving = std::max(moving, place(body.velocity).norm());
   }
   const Vec3 gravity = place(settings.gravity);
-  const double g = gravity.norm();
-  const Vec3 along = g > 0.0 ? Vec3(gravity / g) : Vec3(Vec3::UnitX());
-  double least = 1e300, most = -1e300;
-  for (Index i = 0; i < points.size(); ++i) {
-    if (walls.wall(i) < 0) {
-      double height = 0.0;
-      for (int d = 0; d < points.dimension(); ++d) {
-        height += along[d] * points.position()[i * points.dimension() + d];
-      }
-      least = std::min(least, height);
-      most = std::max(most, height);
+  const double length = settings.length > 0.0 ? settings.length : length_of(points, walls, gravity);
+  double drive = gravity.norm();  // m/s^2
+  if (settings.buoyancy == Buoyancy::reduced) {
+    double range = settings.temperature_range;
+    if (range == 0.0 && heat != nullptr) {
+      range = temperature_range(points, *heat, length);
     }
+    drive *= std::abs(fluid.newtonian.expansion) * range;
   }
-  const double length = settings.length > 0.0 ? settings.length : most - least + walls.spacing();
-  const double range = settings.temperature_range > 0.0 ? settings.temperature_range : wall_range;
-  const double drive =
-      settings.buoyancy == Buoyancy::full ? g : g * std::abs(fluid.expansion) * range;
   const double speed =
-      std::max({settings.sound_speed_factor * std::sqrt(drive * length), 10.0 * wall_speed,
-                10.0 * fluid.viscosity / fluid.density / length});
+      std::max({settings.sound_speed_factor * std::sqrt(drive * length), 10.0 * moving,
+                10.0 * fluid.newtonian.viscosity / fluid.newtonian.density / length});
   require(
       speed > 0.0,
       "no sound speed follows from this scene (no buoyancy, no moving wall, no viscosity): give "

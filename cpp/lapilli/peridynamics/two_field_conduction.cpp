@@ -53,7 +53,8 @@ void TwoFieldConduction<Dim>::update() {
         wall < 0 || (walls_.walls()[wall].settings.heat != WallHeat::adiabatic && first_layer(i));
     volume_[i] = takes_part ? points_.volume()[i] : 0.0;
   }
-  operators_.emplace(points_, families_, weight_, volume_);
+  // Next to walls a point that moves, or sees others move, may have few neighbours left.
+  operators_.emplace(points_, families_, weight_, volume_, [](Index) { return true; });
   version_ = points_.version();
   ordering_ = points_.ordering();
 }

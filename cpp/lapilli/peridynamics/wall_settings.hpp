@@ -57,4 +57,8 @@ struct FluidWallSettings {
   }
 };
 
+/// Throws std::invalid_argument, naming the wall, for settings that contradict each other or the
+/// dimension, and for those that `heat` would leave without effect.
+void check(const FluidWallSettings& wall, int dimension);
+
 }  // namespace lapilli

@@ -13,6 +13,19 @@ std::string text_of(const Vec3& place) {
   return message("(", place[0], ", ", place[1], ", ", place[2], ")");
 }
 
+/// Gradient of a distance, by differences over a short way.
+Vec3 slope(const FluidDistance& distance, const Vec3& at, int dimension, double spacing) {
+  const double step = 1e-4 * spacing;
+  Vec3 gradient = Vec3::Zero();
+  for (int d = 0; d < dimension; ++d) {
+    Vec3 ahead = at, behind = at;
+    ahead[d] += step;
+    behind[d] -= step;
+    gradient[d] = (distance(ahead) - distance(behind)) / (2.0 * step);
+  }
+  return gradient;
+}
+
 }  // namespace
 
 WallSurface::WallSurface(Points& points, std::vector<Wall> walls, const FluidDistance& distance,
@@ -36,7 +49,6 @@ WallSurface::WallSurface(Points& points, std::vector<Wall> walls, const FluidDis
   }
   // The share of a spacing by which a lattice point may lie on the wrong side of a curved surface.
   const double tolerance = 0.3 * spacing;
-  const double step = 1e-4 * spacing;
   for (Index point = 0; point < points.size(); ++point) {
     const Vec3 at = place(point);
     const int k = wall(point);
@@ -53,15 +65,9 @@ WallSurface::WallSurface(Points& points, std::vector<Wall> walls, const FluidDis
             "' overlaps the fluid body: its point at ", text_of(at), " lies ", -depth,
             " m inside the fluid region");
     depth_[point] = std::max(0.0, depth);
-    Vec3 gradient = Vec3::Zero();
-    for (int d = 0; d < points.dimension(); ++d) {
-      Vec3 ahead = at, behind = at;
-      ahead[d] += step;
-      behind[d] -= step;
-      gradient[d] = distance(ahead) - distance(behind);
-    }
+    const Vec3 gradient = slope(distance, at, points.dimension(), spacing);
     const double length = gradient.norm();
-    require(length > 0.1 * step, "the distance from the fluid region has no slope at ", text_of(at),
+    require(length > 0.05, "the distance from the fluid region has no slope at ", text_of(at),
             " in wall '", walls_[k].settings.name, "'");
     for (int d = 0; d < points.dimension(); ++d) {
       normal_[point * points.dimension() + d] = -gradient[d] / length;
@@ -82,6 +88,8 @@ void WallSurface::require_thickness(double horizon) const {
   // that it meets count together: how deep some wall goes along the normal of each surface point.
   const double needed = horizon - 1.05 * spacing_;
   const CellList near(points_.position(), points_.dimension(), spacing_);
+  double thinnest = needed;
+  Index place_of = -1;
   for (Index point = 0; point < points_.size(); ++point) {
     if (wall(point) < 0 || depth_[point] >= 0.99 * spacing_) {
       continue;
@@ -98,10 +106,40 @@ void WallSurface::require_thickness(double horizon) const {
                          deepest = wall(other) >= 0 ? std::max(deepest, depth_[other]) : deepest;
                        });
     }
-    require(deepest >= needed, "wall '", walls_[wall(point)].settings.name, "' is about ",
-            deepest + 0.5 * spacing_, " m thick at ", text_of(place(point)),
+    if (deepest < thinnest) {
+      thinnest = deepest;
+      place_of = point;
+    }
+  }
+  if (place_of >= 0) {
+    require(false, "wall '", walls_[wall(place_of)].settings.name, "' is about ",
+            thinnest + 0.5 * spacing_, " m thick at ", text_of(place(place_of)),
             ", thinner than the horizon of ", horizon, " m: give it at least ",
             std::ceil(horizon / spacing_ - 0.5), " layers");
+  }
+}
+
+void WallSurface::require_closed(const FluidDistance& distance) const {
+  const CellList near(points_.position(), points_.dimension(), spacing_);
+  for (Index point = 0; point < points_.size(); ++point) {
+    const Vec3 at = place(point);
+    const double outside = wall(point) < 0 ? distance(at) : -spacing_;
+    if (outside < -0.75 * spacing_) {
+      continue;  // a wall, or well inside
+    }
+    const Vec3 gradient = slope(distance, at, points_.dimension(), spacing_);
+    const double length = gradient.norm();
+    const Vec3 behind = length > 0.05 ? Vec3(at + (spacing_ - outside) / length * gradient) : at;
+    if (distance(behind) < 0.5 * spacing_) {
+      continue;  // bodies touch here
+    }
+    double first = 2.0 * spacing_;
+    near.each_within(behind, 1.05 * spacing_, [&](Index other, double) {
+      first = wall(other) >= 0 ? std::min(first, depth_[other]) : first;
+    });
+    require(first < 1.4 * spacing_, "no wall holds the fluid at ", text_of(at), ", ",
+            std::abs(outside), " m from its surface: close the flow with walls, free surfaces are ",
+            "not modelled");
   }
 }
 

@@ -52,9 +52,12 @@ class WallSurface {
     return along;
   }
 
-  /// Throws std::invalid_argument, naming the place, unless the walls fill what a fluid point one
-  /// spacing off their surface can feel within `horizon` (m).
+  /// Throws std::invalid_argument, naming the thinnest place, unless the walls fill what a fluid
+  /// point one spacing off their surface can feel within `horizon` (m).
   void require_thickness(double horizon) const;
+  /// Throws std::invalid_argument, naming the place, where the fluid ends without a wall: a free
+  /// surface is not modelled. `distance` is that from the region of the fluid.
+  void require_closed(const FluidDistance& distance) const;
 
   void save(Archive& archive) const;
   void load(const Archive& archive);

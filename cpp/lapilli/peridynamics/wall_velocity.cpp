@@ -1,12 +1,17 @@
 #include "lapilli/peridynamics/wall_velocity.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 
 namespace lapilli {
 
-template <int Dim>
-void add_wall_velocity(const WallSurface& walls, const Families& families, const double* rows,
-                       const double* bond_weight, Index point, BondSums<Dim>& sums) {
+namespace {
+
+/// Call body(bond, w V, more) for the bonds of `point` to walls: `more` is what the wall's
+/// velocity, continued behind its surface, adds to v_j - v_i.
+template <int Dim, class Body>
+void for_wall_bonds(const WallSurface& walls, const Families& families, const double* rows,
+                    const double* bond_weight, Index point, const Body& body) {
   const double* own = rows + point * flow_row_size;
   const double least = 0.25 * walls.spacing();
   for (Index k = families.wall_begin(point); k < families.end(point); ++k) {
@@ -28,15 +33,58 @@ void add_wall_velocity(const WallSurface& walls, const Families& families, const
       const Eigen::Map<const Vec<Dim>> n(walls.normal(j));
       more = (1.0 + ratio) * n.dot(relative) * n - relative;
     }
-    sums.velocity += w * more;
+    body(bond, w, more);
   }
 }
 
-template void add_wall_velocity<1>(const WallSurface&, const Families&, const double*,
-                                   const double*, Index, BondSums<1>&);
-template void add_wall_velocity<2>(const WallSurface&, const Families&, const double*,
-                                   const double*, Index, BondSums<2>&);
-template void add_wall_velocity<3>(const WallSurface&, const Families&, const double*,
-                                   const double*, Index, BondSums<3>&);
+}  // namespace
+
+template <int Dim>
+void add_wall_velocity(const WallSurface& walls, const Families& families, const double* rows,
+                       const double* bond_weight, Index point, BondSums<Dim>& sums) {
+  for_wall_bonds<Dim>(
+      walls, families, rows, bond_weight, point,
+      [&](const Vec<Dim>&, double w, const Vec<Dim>& more) { sums.velocity += w * more; });
+}
+
+template <int Dim>
+void leave_out_walls(const Families& families, const double* rows, const double* bond_weight,
+                     Index point, BondSums<Dim>& sums) {
+  const double* own = rows + point * flow_row_size;
+  for (Index k = families.wall_begin(point); k < families.end(point); ++k) {
+    const double* other = rows + families.neighbour(k) * flow_row_size;
+    Vec<Dim> bond, relative;
+    for (int d = 0; d < Dim; ++d) {
+      bond[d] = other[d] - own[d];
+      relative[d] = other[4 + d] - own[4 + d];
+    }
+    sums.gradient -= bond_weight[k] * relative * bond.transpose();
+  }
+}
+
+template <int Dim>
+double viscous_heating(const WallSurface& walls, const Families& families, const double* rows,
+                       const double* bond_weight, Index point, const BondSums<Dim>& sums,
+                       double viscosity) {
+  Mat<Dim> slope = sums.gradient;
+  for_wall_bonds<Dim>(walls, families, rows, bond_weight, point,
+                      [&](const Vec<Dim>& bond, double w, const Vec<Dim>& more) {
+                        slope += w * more * bond.transpose();
+                      });
+  const Mat<Dim> gradient = slope * sums.shape.inverse();
+  return 0.5 * viscosity * (gradient + gradient.transpose()).squaredNorm();
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                                           \
+  template void add_wall_velocity<Dim>(const WallSurface&, const Families&, const double*, \
+                                       const double*, Index, BondSums<Dim>&);              \
+  template void leave_out_walls<Dim>(const Families&, const double*, const double*, Index, \
+                                     BondSums<Dim>&);                                      \
+  template double viscous_heating<Dim>(const WallSurface&, const Families&, const double*, \
+                                       const double*, Index, const BondSums<Dim>&, double);
+LAPILLI_INSTANTIATE(1)
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
 
 }  // namespace lapilli

@@ -84,6 +84,45 @@ Fluid fluid_of(const Scene& scene) {
   return fluid;
 }
 
+/// Sites of the lattice that walls have taken so far.
+using Sites = std::set<std::array<long, 3>>;
+
+struct Reach {
+  FluidDistance region;
+  double horizon = 0.0;  // m
+};
+
+/// Those of a wall's points that the fluid can feel and that no wall before it has.
+FilledPoints felt_points(const FilledPoints& all, const std::string& name, const Reach& reach,
+                         const Vec3& origin, Sites& taken) {
+  FilledPoints kept;
+  kept.dimension = all.dimension;
+  kept.spacing = all.spacing;
+  bool felt = false;
+  for (std::size_t row = 0; row < all.size(); ++row) {
+    const Vec3 at = position_of(all, row);
+    const double outside = reach.region(at);
+    require(outside >= -0.3 * all.spacing, "wall '", name, "' overlaps the fluid body: its point ",
+            "at (", at[0], ", ", at[1], ", ", at[2], ") lies ", -outside,
+            " m inside the fluid region");
+    if (outside > reach.horizon || outside <= 1e-6 * all.spacing) {
+      continue;  // out of reach, or on the surface, where the fluid has its point
+    }
+    felt = true;
+    // Points sit in the middle of their boxes.
+    const Vec3 site = ((at - origin) / all.spacing).array().floor();
+    if (taken.insert({std::lround(site[0]), std::lround(site[1]), std::lround(site[2])}).second) {
+      kept.position.insert(kept.position.end(), at.data(), at.data() + all.dimension);
+      kept.volume.push_back(all.volume[row]);
+    }
+  }
+  require(felt, "wall '", name, "' has no point within the horizon of ", reach.horizon,
+          " m of the fluid");
+  require(!kept.volume.empty(), "wall '", name,
+          "' has no point of its own: the walls before it hold all of its places");
+  return kept;
+}
+
 }  // namespace
 
 std::vector<FilledPoints> fill_walls(const Scene& scene, const std::vector<FilledPoints>& filled) {
@@ -92,31 +131,16 @@ std::vector<FilledPoints> fill_walls(const Scene& scene, const std::vector<Fille
     return walls;
   }
   const double spacing = spacing_of(scene, filled);
-  const FluidDistance region = region_of(scene);
-  const double reach = longest_horizon(*scene.peridynamics, spacing);
-  std::set<std::array<long, 3>> taken;  // sites of the lattice
+  const Reach reach{region_of(scene), longest_horizon(*scene.peridynamics, spacing)};
+  FillOptions options;
+  options.within = grid_bounds(scene);
+  Sites taken;
   for (std::size_t k = 0; k < scene.peridynamics->walls.size(); ++k) {
+    const FluidWallBody& wall = scene.peridynamics->walls[k];
     at_place(scene, wall_path(k), [&] {
-      FillOptions options;
-      options.within = grid_bounds(scene);
-      const FilledPoints all = fill(scene.peridynamics->walls[k].shape, lattice_of(scene, spacing),
-                                    options, dimension_of(scene));
-      FilledPoints& kept = walls.emplace_back();
-      kept.dimension = all.dimension;
-      kept.spacing = all.spacing;
-      for (std::size_t row = 0; row < all.size(); ++row) {
-        const Vec3 at = position_of(all, row);
-        // Points sit in the middle of their boxes.
-        const Vec3 site = ((at - place(scene.grid.lower)) / spacing).array().floor();
-        if (region(at) <= reach &&
-            taken.insert({std::lround(site[0]), std::lround(site[1]), std::lround(site[2])})
-                .second) {
-          kept.position.insert(kept.position.end(), at.data(), at.data() + all.dimension);
-          kept.volume.push_back(all.volume[row]);
-        }
-      }
-      require(!kept.volume.empty(), "wall '", scene.peridynamics->walls[k].name,
-              "' has no point within the horizon of ", reach, " m of the fluid");
+      const FilledPoints all =
+          fill(wall.shape, lattice_of(scene, spacing), options, dimension_of(scene));
+      walls.push_back(felt_points(all, wall.name, reach, place(scene.grid.lower), taken));
     });
   }
   return walls;

@@ -1,5 +1,7 @@
 #include "lapilli/scene/validate_peridynamics.hpp"
 
+#include <set>
+
 #include "lapilli/scene/place_errors.hpp"
 
 namespace lapilli {
@@ -19,6 +21,23 @@ void check_material(const Scene& scene, const std::string& section) {
   }
 }
 
+void check_walls(const Scene& scene) {
+  const std::vector<FluidWallBody>& walls = scene.peridynamics->walls;
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const std::string path = message("peridynamics.walls.", k);
+    at_place(scene, path, [&] { check(walls[k], static_cast<int>(scene.grid.lower.size())); });
+    require_at(names.insert(walls[k].name).second, scene, path + ".name", "is '", walls[k].name,
+               "' as that of another wall: balances tell walls by their names");
+  }
+}
+
+void check_gravity(const Scene& scene) {
+  const std::size_t given = scene.peridynamics->flow->gravity.size();
+  require_at(given == 0 || given == scene.grid.lower.size(), scene, "peridynamics.flow.gravity",
+             "has ", given, " numbers, the grid has dimension ", scene.grid.lower.size());
+}
+
 }  // namespace
 
 void validate_peridynamics(const Scene& scene) {
@@ -35,11 +54,15 @@ void validate_peridynamics(const Scene& scene) {
     require_at(!scene.bodies[k].motion, scene, message("bodies.", k, ".motion"),
                "has no meaning in [peridynamics]: a fluid moves by its flow");
   }
+  require_at(scene.peridynamics->heat || scene.peridynamics->flow, scene, "peridynamics",
+             "models nothing: give [peridynamics.heat], [peridynamics.flow] or both");
+  check_walls(scene);
   if (scene.peridynamics->heat) {
     check_material<Thermal>(scene, "peridynamics.heat");
   }
   if (scene.peridynamics->flow) {
     check_material<Newtonian>(scene, "peridynamics.flow");
+    check_gravity(scene);
   }
 }
 

@@ -73,6 +73,50 @@ TEST_CASE("bad scenes are refused with the place and the number") {
   REQUIRE_THAT(refusal(layout, scene), Contains("3 numbers"));
 }
 
+TEST_CASE("settings of a wall that would do nothing are refused") {
+  using Catch::Contains;
+  const cavity::Layout layout{10, 10, 3};
+  PeridynamicScene scene = scene_of(layout);
+  scene.walls[3].settings.flux = 2.0;
+  REQUIRE_THAT(refusal(layout, scene), Contains("wall 'top' has a flux") &&
+                                           Contains("heat = \"adiabatic\"") &&
+                                           Contains("give heat = \"flux\""));
+  scene = scene_of(layout);
+  scene.walls[3].settings.temperature = 2.0;
+  REQUIRE_THAT(refusal(layout, scene), Contains("wall 'top' has a temperature"));
+  scene = scene_of(layout);
+  scene.walls[0].settings.coefficient = 2.0;
+  REQUIRE_THAT(refusal(layout, scene), Contains("wall 'left' has a coefficient"));
+  scene = scene_of(layout);
+  scene.walls[3].settings.moves = true;
+  REQUIRE_THAT(refusal(layout, scene), Contains("needs its velocity"));
+}
+
+TEST_CASE("a flow that no wall holds is refused, heat alone is not") {
+  using Catch::Contains;
+  const cavity::Layout layout{10, 10, 3};
+  PeridynamicScene scene = scene_of(layout);
+  // The fluid ends at x = 1, its wall begins at 1.2.
+  auto points = cavity::make_points(layout);
+  for (Index i = 0; i < points->size(); ++i) {
+    if (points->body()[i] == 2) {
+      points->position()[2 * i] += 0.2;
+    }
+  }
+  REQUIRE_THROWS_WITH(build_peridynamics(*points, scene),
+                      Contains("no wall holds the fluid at (0.95, ") &&
+                          Contains("0.05 m from its surface") && Contains("free surfaces"));
+  scene.flow.reset();
+  REQUIRE_NOTHROW(build_peridynamics(*points, scene));
+  // Two bodies that touch are one fluid: no wall is asked for between them.
+  scene = scene_of(layout);
+  scene.region = [&layout](const Vec3& x) {
+    const double whole = cavity::box_distance(layout)(x);
+    return std::max(whole, -std::abs(x[0] - 0.5));
+  };
+  REQUIRE(refusal(layout, scene) == "accepted");
+}
+
 TEST_CASE("absent physics is absent") {
   const cavity::Layout layout{10, 10, 3};
   PeridynamicScene scene = scene_of(layout);

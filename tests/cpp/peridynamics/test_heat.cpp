@@ -135,6 +135,7 @@ TEST_CASE("a prescribed flux brings in exactly its heat, convection finds its ba
     REQUIRE(std::abs(run.heat->ledgers()[0].residual()) < 1e-13);
   }
   walls[0].settings.heat = WallHeat::convection;
+  walls[0].settings.flux = 0.0;
   walls[0].settings.temperature = 1.0;
   walls[0].settings.coefficient = 3.0;
   Case run(square(12), {}, {}, walls);

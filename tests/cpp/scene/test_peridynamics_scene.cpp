@@ -76,6 +76,22 @@ TEST_CASE("walls keep what the fluid can feel, and the first of two has the corn
   CHECK_THAT(text_of(report), Contains("viscous flow, buoyancy"));
 }
 
+TEST_CASE("a place on the surface of the fluid belongs to the fluid, not to its wall as well") {
+  std::string text = replaced(cavity_scene, "lower = [0, 0], upper = [1, 1]",
+                              "lower = [0.05, 0.05], upper = [1, 1]");
+  text = replaced(text, "upper = [0, 1.4]", "upper = [0.05, 1.4]");
+  text = replaced(text, "lower = [-0.4, -0.4], upper = [1.4, 0]",
+                  "lower = [-0.4, -0.4], upper = [1.4, 0.05]");
+  const auto simulation = build(scene_of(text));
+  const Points& points = simulation->points();
+  CHECK(std::count(points.body().begin(), points.body().end(), 0) == 100);
+  for (Index i = 0; i < points.size(); ++i) {
+    for (Index j = 0; j < i; ++j) {
+      REQUIRE((points.position<2>(i) - points.position<2>(j)).norm() > 0.09);
+    }
+  }
+}
+
 TEST_CASE("a scene of heat alone has no velocity and needs no fluid") {
   std::string text = replaced(cavity_scene, "[peridynamics.flow]\ngravity = [0, -7100]\n", "");
   text = replaced(text,
@@ -102,7 +118,8 @@ TEST_CASE("mistakes in a peridynamic scene are named with place and number") {
   CHECK_THAT(refusal("viscosity = 0.71", "viscosity = -1"), Contains("got -1"));
   CHECK_THAT(refusal("[peridynamics.heat]", "[heat]\n[peridynamics.heat]"),
              Contains("[peridynamics.heat] instead"));
-  CHECK_THAT(refusal("gravity = [0, -7100]", "gravity = [0, 0, -7100]"), Contains("3 numbers"));
+  CHECK_THAT(refusal("gravity = [0, -7100]", "gravity = [0, 0, -7100]"),
+             Contains("peridynamics.flow.gravity has 3 numbers"));
   CHECK_THAT(refusal("temperature = 0.5\n",
                      "temperature = 0.5\nmotion = {kind = \"rotation\", "
                      "revolutions_per_second = 1}\n"),
@@ -110,6 +127,26 @@ TEST_CASE("mistakes in a peridynamic scene are named with place and number") {
   CHECK_THAT(
       refusal("lower = [-0.4, 1], upper = [1.4, 1.4]", "lower = [1.35, 1.35], upper = [1.4, 1.4]"),
       Contains("no point within the horizon") || Contains("contains no"));
+}
+
+TEST_CASE("mistakes in walls are named with the line of the wall") {
+  // Line 37 is the top wall's table.
+  CHECK_THAT(refusal("name = \"top\"", "name = \"top\"\nflux = 3"),
+             StartsWith("cavity.toml:37:") && Contains("wall 'top' has a flux") &&
+                 Contains("give heat = \"flux\""));
+  CHECK_THAT(refusal("name = \"top\"", "name = \"top\"\nvelocity = [1, 0, 0]"),
+             StartsWith("cavity.toml:37:") && Contains("3 numbers"));
+  CHECK_THAT(refusal("name = \"top\"", "name = \"bottom\""),
+             StartsWith("cavity.toml:38:") && Contains("is 'bottom' as that of another wall"));
+  CHECK_THAT(refusal("upper = [0, 1.4]", "upper = [1.4, 1.4]"),
+             StartsWith("cavity.toml:25:") && Contains("overlaps the fluid body"));
+  CHECK_THAT(refusal("shape = {kind = \"box\", lower = [-0.4, 1], upper = [1.4, 1.4]}",
+                     "shape = {kind = \"box\", lower = [-0.4, 1], upper = [0, 1.4]}"),
+             StartsWith("cavity.toml:37:") && Contains("no point of its own"));
+  CHECK_THAT(refusal("lower = [-0.4, 1], upper = [1.4, 1.4]", "lower = [0, 1.2], upper = [1, 1.4]"),
+             Contains("no wall holds the fluid at (0.15, 0.95, 0)"));
+  CHECK_THAT(refusal("[peridynamics.heat]\n[peridynamics.flow]\ngravity = [0, -7100]\n", ""),
+             Contains("models nothing"));
 }
 
 TEST_CASE("a peridynamic scene gives the same bytes for any threads and after a resume") {
