@@ -29,25 +29,13 @@ class CellList {
   /// ascending rows within a bin; coordinates of `x` past the dimension do not count.
   template <class Visit>
   void each_within(const Vec3& x, double radius, const Visit& visit) const {
-    // A little more, so that rounding hides no point at exactly the radius.
-    const double reach = radius * (1.0 + 1e-12) + 1e-15 * x.cwiseAbs().maxCoeff();
-    const Bin low = bin_of(x.array() - reach), high = bin_of(x.array() + reach);
-    const double limit = radius * radius;
-    Bin bin;
-    for (bin[2] = low[2]; bin[2] <= high[2]; ++bin[2]) {
-      for (bin[1] = low[1]; bin[1] <= high[1]; ++bin[1]) {
-        // Bins of one line follow each other.
-        bin[0] = low[0];
-        const Index from = start_[index_of(bin)];
-        bin[0] = high[0];
-        const Index to = start_[index_of(bin) + 1];
-        for (Index k = from; k < to; ++k) {
-          const double squared = squared_distance(k, x);
-          if (squared <= limit) {
-            visit(row_[static_cast<std::size_t>(k)], squared);
-          }
-        }
-      }
+    switch (dimension_) {
+      case 1:
+        return each_within<1>(x, radius, visit);
+      case 2:
+        return each_within<2>(x, radius, visit);
+      default:
+        return each_within<3>(x, radius, visit);
     }
   }
 
@@ -73,6 +61,8 @@ class CellList {
     }
     return sum;
   }
+  template <int Dim, class Visit>
+  void each_within(const Vec3& x, double radius, const Visit& visit) const;
 
   int dimension_;
   double bin_size_;
@@ -82,6 +72,45 @@ class CellList {
   std::vector<Index> row_;        // rows, bin by bin
   std::vector<double> position_;  // in the order of row_
 };
+
+template <int Dim, class Visit>
+void CellList::each_within(const Vec3& x, double radius, const Visit& visit) const {
+  // A little more, so that rounding hides no point at exactly the radius.
+  const double reach = radius * (1.0 + 1e-12) + 1e-15 * x.cwiseAbs().maxCoeff();
+  const Bin low = bin_of(x.array() - reach), high = bin_of(x.array() + reach);
+  const double limit = radius * radius;
+  // Whether a point is near is anybody's guess: all are written down, the near ones stay.
+  constexpr Index most = 64;
+  Index near[most];
+  double squared[most];
+  Bin bin;
+  for (bin[2] = low[2]; bin[2] <= high[2]; ++bin[2]) {
+    for (bin[1] = low[1]; bin[1] <= high[1]; ++bin[1]) {
+      // Bins of one line follow each other.
+      bin[0] = low[0];
+      const Index from = start_[index_of(bin)];
+      bin[0] = high[0];
+      const Index to = start_[index_of(bin) + 1];
+      for (Index begin = from; begin < to; begin += most) {
+        const Index end = begin + most < to ? begin + most : to;
+        int count = 0;
+        for (Index k = begin; k < end; ++k) {
+          const double* at = position_.data() + k * Dim;
+          double sum = 0.0;
+          for (int axis = 0; axis < Dim; ++axis) {
+            sum += (at[axis] - x[axis]) * (at[axis] - x[axis]);
+          }
+          near[count] = k;
+          squared[count] = sum;
+          count += sum <= limit ? 1 : 0;
+        }
+        for (int k = 0; k < count; ++k) {
+          visit(row_[static_cast<std::size_t>(near[k])], squared[k]);
+        }
+      }
+    }
+  }
+}
 
 /// For each row its neighbours, as a compressed list: those of row k are
 /// row[start[k]] .. row[start[k + 1] - 1].
