@@ -39,12 +39,14 @@ void ask_to_stop(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-// Threads that spin while they wait take the cores from whoever shares the machine. The OpenMP
-// library reads its policy when it is loaded, so the program starts itself again with it set; where
-// that is not possible it goes on as it is.
-void wait_without_spinning(char** arguments) {
+// Threads that spin while they wait take the cores from whoever shares the machine; threads that
+// sleep at once wake too late for steps of a millisecond. So they spin for a quarter of one. The
+// OpenMP library reads its settings when it is loaded, so the program starts itself again with them
+// set; where that is not possible it goes on as it is.
+void spin_shortly(char** arguments) {
   if (std::getenv("OMP_WAIT_POLICY") == nullptr) {
     setenv("OMP_WAIT_POLICY", "passive", 0);
+    setenv("GOMP_SPINCOUNT", "5000", 0);
     execv("/proc/self/exe", arguments);
   }
 }
@@ -126,7 +128,7 @@ int report(const std::exception& error, ExitCode code) {
 }  // namespace
 
 int main(int count, char** words) {
-  wait_without_spinning(words);
+  spin_shortly(words);
   CLI::App app("Runs a scene: heat and large deformation with particles.", "lapilli-run");
   Arguments given;
   define_arguments(app, given);

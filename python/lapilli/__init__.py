@@ -2,9 +2,12 @@
 
 import os
 
-# Threads that wait for the next loop sleep instead of spinning: other programs on the machine, and
-# NumPy's own threads, keep their processors. Read once, when the compiled module loads.
-os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+# Threads that wait for the next loop spin for a quarter of a millisecond, then sleep: steps of a
+# millisecond do not wait for them to wake, and other programs on the machine, and NumPy's own
+# threads, keep their processors. Read once, when the compiled module loads.
+if "OMP_WAIT_POLICY" not in os.environ:
+    os.environ["OMP_WAIT_POLICY"] = "passive"
+    os.environ.setdefault("GOMP_SPINCOUNT", "5000")
 
 from lapilli._core import (
     Annulus,
