@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "lapilli/core/large_array.hpp"
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/mpm/node_rows.hpp"
 
@@ -68,8 +69,8 @@ class StencilMatrix {
   const NodeRows<Dim>* rows_;
   int width_;
   Index centre_;
-  std::vector<Neighbour> later_;     // slot 0 is the node itself
-  std::vector<double> coefficient_;  // slot-major
+  std::vector<Neighbour> later_;    // slot 0 is the node itself
+  LargeArray<double> coefficient_;  // slot-major
 };
 
 template <int Dim>

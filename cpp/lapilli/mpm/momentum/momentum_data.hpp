@@ -45,7 +45,7 @@ class MomentumNodes {
   Index size_;   // of one array, with room for a quad past the last node
   Index layer_;  // nodes in one layer across the slowest axis
   Index first_ = 0, last_ = 0;
-  std::vector<double> values_;
+  LargeArray<double> values_;
 };
 
 /// Everything the phases of a momentum step work on.
