@@ -14,6 +14,15 @@ namespace lapilli {
 /// Threads that the loops below may use (default: all processors). Does not touch other libraries.
 int thread_count();
 
+/// Which of the threads of a loop runs this, 0 .. thread_count()-1; 0 outside loops.
+inline int thread_index() {
+#ifdef _OPENMP
+  return omp_get_thread_num();
+#else
+  return 0;
+#endif
+}
+
 /// Set the number of threads of every following loop; 0 means all processors.
 void set_thread_count(int threads);
 
@@ -34,6 +43,68 @@ void parallel_tasks(Index tasks, const Body& body) {
   for (Index task = 0; task < tasks; ++task) {
     body(task);
   }
+}
+
+/// Call body(task) for task = 0 .. tasks-1, each thread a run of neighbouring tasks: for tasks that
+/// cost about the same, so that a thread meets the same rows in every loop.
+template <class Body>
+void parallel_runs(Index tasks, const Body& body) {
+#ifdef _OPENMP
+  const int threads = static_cast<int>(std::min<Index>(thread_count(), tasks));
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+#endif
+  for (Index task = 0; task < tasks; ++task) {
+    body(task);
+  }
+}
+
+/// The tasks whose results a task needs.
+struct TaskRange {
+  Index first = 0, last = 0;  // both included
+};
+
+/// Call lead(task) for every task, and follow(task) as soon as lead has been called for all tasks
+/// that `needs[task]` names: what `lead` leaves is met while it is still in the cache. Threads
+/// share the tasks as in `parallel_runs`.
+template <class Lead, class Follow>
+void parallel_wave(const std::vector<TaskRange>& needs, const Lead& lead, const Follow& follow) {
+  const auto tasks = static_cast<Index>(needs.size());
+  std::vector<char> followed(needs.size(), 0);
+  const auto run = [&](Index begin, Index end) {
+    for (Index task = begin, next = begin; task < end; ++task) {
+      lead(task);
+      for (; next <= task && needs[next].last <= task; ++next) {
+        if (needs[next].first >= begin) {
+          follow(next);
+          followed[next] = 1;
+        }
+      }
+    }
+  };
+  const auto follow_late = [&](Index task) {
+    if (!followed[task]) {
+      follow(task);
+    }
+  };
+#ifdef _OPENMP
+  const int threads = static_cast<int>(std::min<Index>(thread_count(), tasks));
+#pragma omp parallel num_threads(threads) if (threads > 1)
+  {
+    const Index runs = omp_get_num_threads(), own = omp_get_thread_num();
+    const auto begin = [&](Index k) { return k * (tasks / runs) + std::min(k, tasks % runs); };
+    run(begin(own), begin(own + 1));
+#pragma omp barrier
+#pragma omp for schedule(dynamic, 1)
+    for (Index task = 0; task < tasks; ++task) {
+      follow_late(task);
+    }
+  }
+#else
+  run(0, tasks);
+  for (Index task = 0; task < tasks; ++task) {
+    follow_late(task);
+  }
+#endif
 }
 
 /// What a loop does a row: loops of a few operations a row are worth a second thread only from many

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lapilli/core/archive.hpp"
+#include "lapilli/core/large_array.hpp"
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/vector.hpp"
 
@@ -39,12 +40,27 @@ class Points {
   }
 
   /// Say that positions (or volumes) have changed. Weights built before are stale.
-  void moved() { ++version_; }
+  void moved() {
+    ++version_;
+    ++travel_.leaps;
+  }
+  /// The same, when no point moved further than `distance` (m).
+  void moved_at_most(double distance) {
+    ++version_;
+    travel_.path += distance;
+  }
   /// The same, when the neighbourhood of row k was deformed by F = increment(k): carried gradients
   /// follow, G <- F^-T G.
   template <int Dim, class Increment>
   void moved(const Increment& increment);
   Index version() const { return version_; }
+  /// How far points have come: while `leaps` stays the same, none has moved further than `path` (m)
+  /// has grown.
+  struct Travel {
+    Index leaps = 0;
+    double path = 0.0;
+  };
+  const Travel& travel() const { return travel_; }
   /// Whether an attached array holds gradients, so that whoever moves the points must say how they
   /// were deformed.
   bool carry_gradients() const;
@@ -64,10 +80,11 @@ class Points {
   void detach(PointArray* array);
 
   int dimension_;
-  std::vector<double> position_, volume_;
+  LargeArray<double> position_, volume_;
   std::vector<Index> id_, body_;
   std::vector<PointArray*> attached_;
   Index version_ = 0, ordering_ = 0;
+  Travel travel_;
 };
 
 /// A per-point array of `components` doubles a row, owned by a physics, that follows the points.
@@ -96,7 +113,7 @@ class PointArray {
   Points& points_;
   int components_;
   Kind kind_;
-  std::vector<double> values_;
+  LargeArray<double> values_;
 };
 
 template <int Dim, class Increment>

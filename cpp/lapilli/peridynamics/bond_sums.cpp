@@ -25,7 +25,8 @@ BondSums<Dim> sum_bonds(const double* rows, const Families& families, const Bond
     }
   }
   Quad density = zero, length = zero, count = zero, closest = all(1e200);
-  for (Index k = families.begin(point); k < families.padded_end(point); k += lanes::width) {
+  const Index begin = families.begin(point);
+  for (Index k = begin; k < families.padded_end(point); k += lanes::width) {
     const double* r0 = rows + neighbours[k] * row_size;
     const double* r1 = rows + neighbours[k + 1] * row_size;
     const double* r2 = rows + neighbours[k + 2] * row_size;
@@ -42,7 +43,7 @@ BondSums<Dim> sum_bonds(const double* rows, const Families& families, const Bond
     }
     const Quad r = square_root(squared);
     const Quad w = weight(squared, r) * x[3];
-    store_quad(weights + k, w);
+    store_quad(weights + (k - begin), w);
     density = multiply_add(w, u[3] - all(own[7]), density);
     const lanes::LaneMask counts = (squared < within) & (squared > tiny);
     const Quad inverse = lanes::choose(counts, one / squared, zero);

@@ -23,7 +23,7 @@ struct BondSums {
 };
 
 /// One pass over the family of `point`: everything the flow needs of its neighbours where they are
-/// now, four bonds at a time. `weights` receives w V of each bond, for later passes.
+/// now, four bonds at a time. `weights` receives w V of each bond of the point, for later passes.
 template <int Dim>
 BondSums<Dim> sum_bonds(const double* rows, const Families& families, const BondWeight& influence,
                         Index point, double* weights);

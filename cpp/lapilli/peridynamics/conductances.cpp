@@ -11,19 +11,10 @@ namespace {
 
 using lanes::multiply_add;
 
-constexpr Index piece = 256;   // points handed to a thread at once
+constexpr Index piece = 256;   // points worked on as one piece
 constexpr Index row_size = 8;  // doubles
 constexpr int sweeps_at_rest = 200;
 constexpr double sweep_damping = 0.7;
-
-template <class Body>
-void over_points(Index rows, const Body& body) {
-  parallel_tasks((rows + piece - 1) / piece, [&](Index task) {
-    for (Index row = task * piece; row < std::min(rows, (task + 1) * piece); ++row) {
-      body(row);
-    }
-  });
-}
 
 std::vector<FamilyRole> roles_of(const WallSurface& walls) {
   std::vector<FamilyRole> roles;
@@ -58,9 +49,12 @@ bool Conductances<Dim>::update() {
   if (version_ == points_.version() && ordering_ == points_.ordering()) {
     return false;
   }
-  follow_points();
-  for (int sweep = 0; sweep < sweeps_at_rest && first_ && corrected_; ++sweep) {
-    balance(sweep_damping, true);
+  find_families();
+  if (first_ && corrected_) {
+    balance(0.0, true);  // no tilt yet: the moments of the bonds
+    for (int sweep = 0; sweep < sweeps_at_rest; ++sweep) {
+      balance(sweep_damping, true);
+    }
   }
   // Points that move keep the correction of the step before and improve it by one sweep.
   const bool improve = corrected_ && !first_ && !keep_correction_;
@@ -74,55 +68,70 @@ bool Conductances<Dim>::update() {
 template <int Dim>
 void Conductances<Dim>::refresh() {
   if (first_ || version_ != points_.version() || ordering_ != points_.ordering()) {
-    follow_points();
+    find_families();
+    if (first_ && corrected_) {
+      balance(0.0, true);
+    }
     balance(0.0, false);
   }
 }
 
 template <int Dim>
-void Conductances<Dim>::follow_points() {
-  families_.update();
-  gather_rows();
-  find_images();
-  conductance_.resize(static_cast<std::size_t>(families_.bonds()));
-  if (first_ && corrected_) {
-    balance(0.0, true);  // no tilt yet: the moments of the bonds
+void Conductances<Dim>::find_families() {
+  if (families_.update() || reach_.empty()) {
+    conductance_.resize(static_cast<std::size_t>(families_.bonds()));
+    reach_ = families_.reach(piece);
   }
 }
 
 template <int Dim>
-void Conductances<Dim>::gather_rows() {
-  const auto position = points_.position();
-  const auto volume = points_.volume();
-  over_points(points_.size(), [&](Index i) {
-    double* row = rows_.data() + i * row_size;
-    for (int d = 0; d < Dim; ++d) {
-      row[d] = position[i * Dim + d];
-      row[4 + d] = correction_[i * Dim + d];
-    }
-    const int wall = walls_.wall(i);
-    const bool adiabatic = wall >= 0 && walls_.walls()[wall].settings.heat == WallHeat::adiabatic;
-    row[3] = adiabatic ? 0.0 : volume[i];
-    row[7] = normaliser_[i];
-  });
+void Conductances<Dim>::balance(double damping, bool normalise) {
+  parallel_wave(
+      reach_,
+      [&](Index task) {
+        for (Index i = task * piece; i < std::min(points_.size(), (task + 1) * piece); ++i) {
+          gather_row(i);
+          if (corrected_) {
+            insulation_.find(i);
+          }
+        }
+      },
+      [&](Index task) {
+        find_images(task);
+        for (Index i = task * piece; i < std::min(points_.size(), (task + 1) * piece); ++i) {
+          if (families_.owns(i)) {
+            balance_point(i, damping, normalise);
+          }
+        }
+      });
 }
 
 template <int Dim>
-void Conductances<Dim>::find_images() {
+void Conductances<Dim>::gather_row(Index i) {
+  double* row = rows_.data() + i * row_size;
+  for (int d = 0; d < Dim; ++d) {
+    row[d] = points_.position()[i * Dim + d];
+    row[4 + d] = correction_[i * Dim + d];
+  }
+  const int wall = walls_.wall(i);
+  const bool adiabatic = wall >= 0 && walls_.walls()[wall].settings.heat == WallHeat::adiabatic;
+  row[3] = adiabatic ? 0.0 : points_.volume()[i];
+  row[7] = normaliser_[i];
+}
+
+template <int Dim>
+void Conductances<Dim>::find_images(Index task) {
   if (!corrected_) {
     return;
   }
-  insulation_.find();
-  parallel_tasks(static_cast<Index>(images_.size()), [&](Index task) {
-    std::vector<Image>& found = images_[static_cast<std::size_t>(task)];
-    found.clear();
-    for (Index i = task * piece; i < std::min(points_.size(), (task + 1) * piece); ++i) {
-      image_begin_[static_cast<std::size_t>(i)] = static_cast<Index>(found.size());
-      if (families_.owns(i) && insulation_.near(i)) {
-        insulation_.images(i, weight_.horizon, found);
-      }
+  std::vector<Image>& found = images_[static_cast<std::size_t>(task)];
+  found.clear();
+  for (Index i = task * piece; i < std::min(points_.size(), (task + 1) * piece); ++i) {
+    image_begin_[static_cast<std::size_t>(i)] = static_cast<Index>(found.size());
+    if (families_.owns(i) && insulation_.near(i)) {
+      insulation_.images(i, weight_.horizon, found);
     }
-  });
+  }
 }
 
 template <int Dim>
@@ -137,66 +146,54 @@ std::span<const typename Insulation<Dim>::Image> Conductances<Dim>::images(Index
 }
 
 template <int Dim>
-void Conductances<Dim>::balance(double damping, bool normalise) {
+void Conductances<Dim>::balance_point(Index i, double damping, bool normalise) {
   const std::int32_t* neighbours = families_.neighbours();
-  const double half_conductivity = 0.5 * conductivity_;
   const lanes::BondWeightLanes weight(weight_);
-  over_points(points_.size(), [&](Index i) {
-    if (!families_.owns(i)) {
-      return;
-    }
-    const double* own = rows_.data() + i * row_size;
-    const Quad x = all(own[0]), y = all(own[1]), z = all(own[2]);
-    const Quad lx = all(own[4]), ly = all(own[5]), lz = all(own[6]);
-    const Quad c_own = all(own[7]);
-    const Quad scale = all(half_conductivity * own[3]);
-    const Quad bound = all(0.8), one = all(1.0);
-    Quad out_x = all(0.0), out_y = out_x, out_z = out_x, moment = out_x;
-    for (Index k = families_.begin(i); k < families_.padded_end(i); k += lanes::width) {
-      const double* r0 = rows_.data() + neighbours[k] * row_size;
-      const double* r1 = rows_.data() + neighbours[k + 1] * row_size;
-      const double* r2 = rows_.data() + neighbours[k + 2] * row_size;
-      const double* r3 = rows_.data() + neighbours[k + 3] * row_size;
-      Quad a = load_quad(r0), b = load_quad(r1), c = load_quad(r2), v = load_quad(r3);
-      Quad al = load_quad(r0 + 4), bl = load_quad(r1 + 4), cl = load_quad(r2 + 4);
-      Quad vl = load_quad(r3 + 4);
-      lanes::transpose(a, b, c, v);
-      lanes::transpose(al, bl, cl, vl);
-      a -= x;
-      b -= y;
-      c -= z;
-      const Quad squared = a * a + b * b + c * c;
-      Quad tilt = (lx - al) * a + (ly - bl) * b + (lz - cl) * c;
-      tilt = lanes::choose(tilt > bound, bound, lanes::choose(tilt < -bound, -bound, tilt));
-      const Quad w = weight(squared, square_root(squared)) * v * (one + tilt);
-      moment = multiply_add(w, squared, moment);
-      const Quad s = w * (c_own + vl);
-      store_quad(conductance_.data() + k, s * scale);
-      out_x = multiply_add(s, a, out_x);
-      out_y = multiply_add(s, b, out_y);
-      out_z = multiply_add(s, c, out_z);
-    }
-    double out[3] = {lanes::sum(out_x), lanes::sum(out_y), lanes::sum(out_z)};
-    double total = lanes::sum(moment);
-    if (corrected_ && insulation_.near(i)) {
-      total += hide_bonds(i, out);
-      total += add_images(i, out);
-    }
-    // The sweep divides by the diagonal block, sum of s Y Y = 4 on a full lattice.
+  const double* own = rows_.data() + i * row_size;
+  const Quad c_own = all(own[7]);
+  const Quad scale = all(0.5 * conductivity_ * own[3]);
+  const Quad bound = all(0.8), zero = all(0.0), one = all(1.0);
+  Quad outward[Dim], moment = zero;
+  std::fill_n(outward, Dim, zero);
+  for (Index k = families_.begin(i); k < families_.padded_end(i); k += lanes::width) {
+    const double* r0 = rows_.data() + neighbours[k] * row_size;
+    const double* r1 = rows_.data() + neighbours[k + 1] * row_size;
+    const double* r2 = rows_.data() + neighbours[k + 2] * row_size;
+    const double* r3 = rows_.data() + neighbours[k + 3] * row_size;
+    Quad x[4] = {load_quad(r0), load_quad(r1), load_quad(r2), load_quad(r3)};
+    Quad l[4] = {load_quad(r0 + 4), load_quad(r1 + 4), load_quad(r2 + 4), load_quad(r3 + 4)};
+    lanes::transpose(x[0], x[1], x[2], x[3]);
+    lanes::transpose(l[0], l[1], l[2], l[3]);
+    Quad squared = zero, tilt = zero;
     for (int d = 0; d < Dim; ++d) {
-      correction_[i * Dim + d] = own[4 + d] - damping * 0.25 * out[d];
+      x[d] -= all(own[d]);
+      squared = multiply_add(x[d], x[d], squared);
+      tilt = multiply_add(all(own[4 + d]) - l[d], x[d], tilt);
     }
-    if (normalise && total > 0.0) {
-      normaliser_[i] = 2.0 * Dim / total;
+    tilt = lanes::choose(tilt > bound, bound, lanes::choose(tilt < -bound, -bound, tilt));
+    const Quad w = weight(squared, square_root(squared)) * x[3] * (one + tilt);
+    moment = multiply_add(w, squared, moment);
+    const Quad s = w * (c_own + l[3]);
+    store_quad(conductance_.data() + k, s * scale);
+    for (int d = 0; d < Dim; ++d) {
+      outward[d] = multiply_add(s, x[d], outward[d]);
     }
-  });
-  if (normalise) {
-    over_points(points_.size(), [&](Index i) {
-      for (int d = 0; d < Dim; ++d) {
-        rows_[i * row_size + 4 + d] = correction_[i * Dim + d];
-      }
-      rows_[i * row_size + 7] = normaliser_[i];
-    });
+  }
+  double out[Dim];
+  for (int d = 0; d < Dim; ++d) {
+    out[d] = lanes::sum(outward[d]);
+  }
+  double total = lanes::sum(moment);
+  if (corrected_ && insulation_.near(i)) {
+    total += hide_bonds(i, out);
+    total += add_images(i, out);
+  }
+  // The sweep divides by the diagonal block, sum of s Y Y = 4 on a full lattice.
+  for (int d = 0; d < Dim; ++d) {
+    correction_[i * Dim + d] = own[4 + d] - damping * 0.25 * out[d];
+  }
+  if (normalise && total > 0.0) {
+    normaliser_[i] = 2.0 * Dim / total;
   }
 }
 
@@ -281,6 +278,7 @@ void Conductances<Dim>::save(Archive& archive) const {
 template <int Dim>
 void Conductances<Dim>::load(const Archive& archive) {
   families_.load(archive, "heat/families");
+  reach_.clear();
   archive.read("heat/correction", correction_.values());
   archive.read("heat/normaliser", normaliser_.values());
   first_ = archive.read_index("heat/weighed") == 0;

@@ -43,12 +43,13 @@ class Conductances {
  private:
   using Image = typename Insulation<Dim>::Image;
 
-  void follow_points();
-  void gather_rows();
-  void find_images();
+  void find_families();
   /// Conductances of all bonds as l and c are now; then a sweep that improves l by `damping` and,
   /// on request, c.
   void balance(double damping, bool normalise);
+  void gather_row(Index point);
+  void find_images(Index task);
+  void balance_point(Index point, double damping, bool normalise);
   /// Take bonds back that an adiabatic wall hides; what the moment of `point` loses.
   double hide_bonds(Index point, double* out);
   double image_weight(const Image& image, Index owner) const;
@@ -64,10 +65,11 @@ class Conductances {
   bool corrected_;
   Families families_;
   Insulation<Dim> insulation_;
-  PointArray correction_;     // l, 1/m
-  PointArray normaliser_;     // c, 1/m^(Dim+2)
-  std::vector<double> rows_;  // a point: x y z V | l c
-  std::vector<double> conductance_;
+  PointArray correction_;         // l, 1/m
+  PointArray normaliser_;         // c, 1/m^(Dim+2)
+  std::vector<TaskRange> reach_;  // pieces in which the families of a piece lie
+  LargeArray<double> rows_;       // a point: x y z V | l c
+  LargeArray<double> conductance_;
   std::vector<std::vector<Image>> images_;  // a piece of points
   std::vector<Index> image_begin_;          // in its piece
   Index version_ = -1, ordering_ = -1;

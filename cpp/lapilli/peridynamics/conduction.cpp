@@ -8,7 +8,7 @@
 namespace lapilli {
 namespace {
 
-constexpr Index piece = 256;  // points handed to a thread at once
+constexpr Index piece = 256;  // points worked on as one piece
 
 }  // namespace
 
@@ -110,7 +110,7 @@ void Conduction<Dim>::rates(const double* temperature, const std::vector<WallSta
       share[k] = wall_area_[k] / bond_area_[k];
     }
   }
-  parallel_tasks(tasks, [&](Index task) {
+  parallel_runs(tasks, [&](Index task) {
     for (Index i = task * piece; i < std::min(points_.size(), (task + 1) * piece); ++i) {
       rate[i] = 0.0;
       if (!families().owns(i)) {

@@ -47,29 +47,40 @@ Families::Families(Points& points, double horizon, double skin, std::vector<Fami
           "families index points with 32 bits, got ", points.size(), " points");
 }
 
-bool Families::stale() const {
+bool Families::stale() {
   if (ordering_ != points_.ordering()) {
     return true;
   }
   if (version_ == points_.version()) {
     return false;
   }
+  const double allowed = 0.5 * skin_;
+  const Points::Travel now = points_.travel();
+  const double bound = displacement_ + (now.path - seen_.path);
+  if (now.leaps == seen_.leaps && bound < (1.0 - 1e-6) * allowed) {
+    return false;
+  }
+  displacement_ = largest_displacement();
+  seen_ = now;
+  return !(displacement_ <= allowed);
+}
+
+double Families::largest_displacement() const {
   const auto position = points_.position();
   const int dimension = points_.dimension();
-  const double allowed = 0.25 * skin_ * skin_;
   const Index tasks = (points_.size() + piece_rows - 1) / piece_rows;
-  std::vector<char> far(static_cast<std::size_t>(tasks), 0);
+  std::vector<double> most(static_cast<std::size_t>(tasks), 0.0);
   parallel_ranges(points_.size(), [&](Index begin, Index end) {
-    bool any = false;
+    double largest = 0.0;
     for (Index row = begin; row < end; ++row) {
-      const double* reference = reference_.data() + row * dimension;
+      const double squared = squared_distance(dimension, position.data() + row * dimension,
+                                              reference_.data() + row * dimension);
       // Written so that a position that is no number counts as far.
-      any |=
-          !(squared_distance(dimension, position.data() + row * dimension, reference) <= allowed);
+      largest = squared <= largest ? largest : std::min(1e300, squared);
     }
-    far[begin / piece_rows] = any ? 1 : 0;
+    most[begin / piece_rows] = largest;
   });
-  return std::any_of(far.begin(), far.end(), [](char any) { return any != 0; });
+  return std::sqrt(*std::max_element(most.begin(), most.end()));
 }
 
 bool Families::update() {
@@ -77,6 +88,8 @@ bool Families::update() {
   if (search_again) {
     const auto position = points_.position();
     std::copy(position.begin(), position.end(), reference_.data());
+    displacement_ = 0.0;
+    seen_ = points_.travel();
     search();
   }
   version_ = points_.version();
@@ -95,6 +108,12 @@ void Families::search() {
   }
   const CellList cells(reference_.values(), dimension, radius);
   const auto body = points_.body();
+  enum class Kind : char { absent, wall, other };
+  std::vector<Kind> kind(static_cast<std::size_t>(rows));
+  parallel_for(rows, [&](Index row) {
+    const FamilyRole role = roles_[body[row]];
+    kind[row] = role.member == Member::absent ? Kind::absent : role.wall ? Kind::wall : Kind::other;
+  });
 
   struct Piece {
     std::vector<std::int32_t> neighbour, wall;
@@ -111,9 +130,9 @@ void Families::search() {
         Vec3 here = Vec3::Zero();
         std::copy_n(reference_.data() + row * dimension, dimension, here.data());
         cells.each_within(here, radius, [&](Index other, double) {
-          const FamilyRole role = roles_[body[other]];
-          if (other != row && role.member != Member::absent) {
-            (role.wall ? piece.wall : piece.neighbour).push_back(static_cast<std::int32_t>(other));
+          if (other != row && kind[other] != Kind::absent) {
+            auto& list = kind[other] == Kind::wall ? piece.wall : piece.neighbour;
+            list.push_back(static_cast<std::int32_t>(other));
           }
         });
       }
@@ -148,6 +167,21 @@ void Families::search() {
   ++searches_;
 }
 
+std::vector<TaskRange> Families::reach(Index piece_size) const {
+  const Index rows = points_.size(), tasks = (rows + piece_size - 1) / piece_size;
+  std::vector<TaskRange> pieces(static_cast<std::size_t>(tasks));
+  parallel_runs(tasks, [&](Index task) {
+    const Index first = task * piece_size, end = std::min(rows, first + piece_size);
+    auto least = static_cast<std::int32_t>(first), most = static_cast<std::int32_t>(end - 1);
+    for (Index bond = begin_[first]; bond < begin_[end]; ++bond) {
+      least = std::min(least, neighbour_[bond]);
+      most = std::max(most, neighbour_[bond]);
+    }
+    pieces[task] = {least / piece_size, most / piece_size};
+  });
+  return pieces;
+}
+
 void Families::save(Archive& archive, const std::string& name) const {
   archive.write(name + "/reference", reference_.values());
   archive.write(name + "/searches", searches_);
@@ -160,6 +194,7 @@ void Families::load(const Archive& archive, const std::string& name) {
   searches_ = archive.read_index(name + "/searches");
   // A list that a re-ordering had made stale stays stale.
   ordering_ = archive.read_index(name + "/ordered") == 1 ? points_.ordering() : -1;
+  seen_.leaps = -1;
   version_ = -1;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lapilli/core/archive.hpp"
+#include "lapilli/core/parallel.hpp"
 #include "lapilli/core/points.hpp"
 
 namespace lapilli {
@@ -36,7 +37,7 @@ class Families {
   /// Search again if points have moved too far or were re-ordered; true if it did.
   bool update();
   /// Whether `update` would search again.
-  bool stale() const;
+  bool stale();
 
   Index begin(Index point) const { return begin_[point]; }
   /// The first bond to a wall; those before are bonds to points that are no wall, or padding.
@@ -45,6 +46,8 @@ class Families {
   Index end(Index point) const { return end_[point]; }
   /// Behind the padding: begin of the next family.
   Index padded_end(Index point) const { return begin_[point + 1]; }
+  /// For each piece of `piece_size` points the pieces in which they and their families lie.
+  std::vector<TaskRange> reach(Index piece_size) const;
   Index bonds() const { return static_cast<Index>(neighbour_.size()); }
   const std::int32_t* neighbours() const { return neighbour_.data(); }
   std::int32_t neighbour(Index bond) const { return neighbour_[bond]; }
@@ -60,14 +63,17 @@ class Families {
 
  private:
   void search();
+  double largest_displacement() const;
 
   Points& points_;
   double horizon_, skin_;
   std::vector<FamilyRole> roles_;
   PointArray reference_;
   std::vector<Index> begin_, wall_begin_, end_;
-  std::vector<std::int32_t> neighbour_;
+  LargeArray<std::int32_t> neighbour_;
   Index ordering_ = -1, version_ = -1, searches_ = 0, largest_ = 0;
+  double displacement_ = 0.0;  // m, largest since the last search, when points had come to:
+  Points::Travel seen_{-1, 0.0};
 };
 
 /// An order of the points by cells of `cell` m, row by row, stable within a cell.

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "lapilli/core/parallel.hpp"
-
 namespace lapilli {
 namespace {
 
@@ -30,38 +28,36 @@ bool Insulation<Dim>::adiabatic(Index point) const {
 }
 
 template <int Dim>
-void Insulation<Dim>::find() {
-  const double* position = points_.position().data();
-  parallel_for(points_.size(), [&](Index i) {
-    auto& count = count_[static_cast<std::size_t>(i)];
-    auto& planes = planes_[static_cast<std::size_t>(i)];
-    count = 0;
-    if (families_.wall_begin(i) == families_.end(i)) {
-      return;
-    }
-    // The nearest plane first, then the nearest of those that stand across all found before.
-    for (; count < Dim; ++count) {
-      std::optional<Plane> nearest;
-      for (Index bond = families_.wall_begin(i); bond < families_.end(i); ++bond) {
-        const Index j = families_.neighbour(bond);
-        if (!adiabatic(j)) {
-          continue;
-        }
-        const double ahead = std::max(0.0, walls_.template distance<Dim>(position + i * Dim, j));
-        const Eigen::Map<const Vec<Dim>> normal(walls_.normal(j));
-        const bool known =
-            std::any_of(planes.begin(), planes.begin() + count,
-                        [&](const Plane& one) { return one.normal.dot(normal) > same_wall; });
-        if (!known && (!nearest || ahead < nearest->distance)) {
-          nearest = Plane{ahead, normal};
-        }
+void Insulation<Dim>::find(Index point) {
+  auto& count = count_[static_cast<std::size_t>(point)];
+  auto& planes = planes_[static_cast<std::size_t>(point)];
+  const double* position = points_.position().data() + point * Dim;
+  count = 0;
+  if (families_.wall_begin(point) == families_.end(point)) {
+    return;
+  }
+  // The nearest plane first, then the nearest of those that stand across all found before.
+  for (; count < Dim; ++count) {
+    std::optional<Plane> nearest;
+    for (Index bond = families_.wall_begin(point); bond < families_.end(point); ++bond) {
+      const Index j = families_.neighbour(bond);
+      if (!adiabatic(j)) {
+        continue;
       }
-      if (!nearest) {
-        break;
+      const double ahead = std::max(0.0, walls_.template distance<Dim>(position, j));
+      const Eigen::Map<const Vec<Dim>> normal(walls_.normal(j));
+      const bool known = std::any_of(planes.begin(), planes.begin() + count, [&](const Plane& one) {
+        return one.normal.dot(normal) > same_wall;
+      });
+      if (!known && (!nearest || ahead < nearest->distance)) {
+        nearest = Plane{ahead, normal};
       }
-      planes[static_cast<std::size_t>(count)] = *nearest;
     }
-  });
+    if (!nearest) {
+      break;
+    }
+    planes[static_cast<std::size_t>(count)] = *nearest;
+  }
 }
 
 template <int Dim>

@@ -26,8 +26,8 @@ class Insulation {
 
   Insulation(const Points& points, const WallSurface& walls, const Families& families);
 
-  /// Find the planes of every point where it is now.
-  void find();
+  /// Find the planes near a point where it is now.
+  void find(Index point);
   bool near(Index point) const { return count_[static_cast<std::size_t>(point)] > 0; }
   /// The images within `horizon` (m) that `point` sees of fluid points, of walls that are not
   /// adiabatic and of itself.

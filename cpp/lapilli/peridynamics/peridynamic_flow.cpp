@@ -15,14 +15,14 @@
 namespace lapilli {
 namespace {
 
-constexpr Index piece = 256;            // points handed to a thread at once
+constexpr Index piece = flow_piece;
 constexpr double largest_shift = 0.05;  // spacings a step
 constexpr int sort_every = 8;           // searches
 
 template <class Body>
 void over_pieces(Index rows, const Body& body) {
-  parallel_tasks((rows + piece - 1) / piece,
-                 [&](Index task) { body(task, task * piece, std::min(rows, (task + 1) * piece)); });
+  parallel_runs((rows + piece - 1) / piece,
+                [&](Index task) { body(task, task * piece, std::min(rows, (task + 1) * piece)); });
 }
 
 std::vector<FamilyRole> roles_of(const WallSurface& walls) {
@@ -95,6 +95,8 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
   piece_least_.assign(tasks, fluid.newtonian.density);
   piece_most_.assign(tasks, fluid.newtonian.density);
   piece_spacing_.assign(tasks, 1e100);
+  piece_fastest_.assign(tasks, 0.0);
+  piece_farthest_.assign(tasks, 0.0);
 }
 
 template <int Dim>
@@ -117,13 +119,11 @@ StepReport PeridynamicFlow<Dim>::advance(const Step& step) {
   if (!started_) {
     start();
   }
+  find_fastest();
   kick_and_drift(step);
   find_families();
-  gather_rows();
-  update_density(step.size);
+  update_density_and_kick(step.size);
   check_density();
-  accelerate();
-  kick(0.5 * step.size);
   return {step.size, 0, 0.0};
 }
 
@@ -132,116 +132,134 @@ void PeridynamicFlow<Dim>::start() {
   find_families();
   part_coincident_points<Dim>(points_, *walls_, families_);
   gather_rows();
-  update_density(0.0);
-  accelerate();
+  update_density_and_kick(0.0);
   started_ = true;
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::find_fastest() {
+  if (fastest_known_) {
+    return;
+  }
+  over_pieces(points_.size(), [&](Index task, Index begin, Index end) {
+    piece_fastest_[task] = fastest_squared(begin, end);
+  });
+  fastest_known_ = true;
+}
+
+template <int Dim>
+double PeridynamicFlow<Dim>::fastest_squared(Index begin, Index end) const {
+  double most = 0.0;
+  for (Index i = begin; i < end; ++i) {
+    if (fluid(i)) {
+      most = std::max(most, Eigen::Map<const Vec<Dim>>(velocity_.data() + i * Dim).squaredNorm());
+    }
+  }
+  return most;
 }
 
 template <int Dim>
 void PeridynamicFlow<Dim>::kick_and_drift(const Step& step) {
   const double dt = step.size;
-  std::vector<double> fastest(piece_least_.size(), 0.0);
-  over_pieces(points_.size(), [&](Index task, Index begin, Index end) {
-    double most = 0.0;
-    for (Index i = begin; i < end; ++i) {
-      if (fluid(i)) {
-        double squared = 0.0;
-        for (int d = 0; d < Dim; ++d) {
-          squared += velocity_[i * Dim + d] * velocity_[i * Dim + d];
-        }
-        most = std::max(most, squared);
-      }
-    }
-    fastest[task] = most;
-  });
-  const double speed = std::sqrt(*std::max_element(fastest.begin(), fastest.end()));
+  const double speed = std::sqrt(*std::max_element(piece_fastest_.begin(), piece_fastest_.end()));
   // Eq. 38 with the sign that spreads points.
   const double sign = printed_.towards_neighbours ? 1.0 : -1.0;
   const double shifting = sign * settings_.shifting * speed * dt;
   const double most = largest_shift * walls_->spacing();
   const auto position = points_.position();
-  over_pieces(points_.size(), [&](Index, Index begin, Index end) {
+  over_pieces(points_.size(), [&](Index task, Index begin, Index end) {
+    double farthest = 0.0;
     for (Index i = begin; i < end; ++i) {
-      double* x = position.data() + i * Dim;
-      double* v = velocity_.data() + i * Dim;
-      const double* a = acceleration_.data() + i * Dim;
+      Eigen::Map<Vec<Dim>> x(position.data() + i * Dim), v(velocity_.data() + i * Dim);
+      Vec<Dim> by = Vec<Dim>::Zero();
       if (fluid(i)) {
-        double away[Dim], squared = 0.0;
-        for (int d = 0; d < Dim; ++d) {
-          v[d] += 0.5 * dt * a[d];
-          away[d] = shifting * shift_[i * Dim + d];
-          squared += away[d] * away[d];
-        }
-        const double cut = squared > most * most ? most / std::sqrt(squared) : 1.0;
-        for (int d = 0; d < Dim; ++d) {
-          x[d] += dt * v[d] + cut * away[d];
-        }
+        v += 0.5 * dt * Eigen::Map<const Vec<Dim>>(acceleration_.data() + i * Dim);
+        const Vec<Dim> away = shifting * Eigen::Map<const Vec<Dim>>(shift_.data() + i * Dim);
+        const double squared = away.squaredNorm();
+        by = dt * v + (squared > most * most ? most / std::sqrt(squared) : 1.0) * away;
       } else if (walls_->walls()[walls_->wall(i)].settings.moves) {
-        for (int d = 0; d < Dim; ++d) {
-          x[d] += dt * v[d];
-        }
+        by = dt * v;
       }
+      x += by;
+      const double moved = by.squaredNorm();
+      farthest = moved <= farthest ? farthest : std::min(1e300, moved);  // also of no number
+      gather_row(i);
     }
+    piece_farthest_[task] = farthest;
   });
-  points_.moved();
+  points_.moved_at_most(
+      std::sqrt(*std::max_element(piece_farthest_.begin(), piece_farthest_.end())));
 }
 
 template <int Dim>
 void PeridynamicFlow<Dim>::find_families() {
   if (families_.stale() && families_.searches() % sort_every == 0) {
     points_.permute(cell_order(points_, weight_.horizon + settings_.skin * walls_->spacing()));
+    gather_rows();
   }
   if (families_.update()) {
-    bond_weight_.resize(static_cast<std::size_t>(families_.bonds()));
+    reach_ = families_.reach(piece);
     check_places<Dim>(points_, *walls_, families_, velocity_);
   }
 }
 
 template <int Dim>
 void PeridynamicFlow<Dim>::gather_rows() {
-  const auto position = points_.position();
   over_pieces(points_.size(), [&](Index, Index begin, Index end) {
     for (Index i = begin; i < end; ++i) {
-      double* row = rows_.data() + i * row_size;
-      for (int d = 0; d < Dim; ++d) {
-        row[d] = position[i * Dim + d];
-        row[4 + d] = velocity_[i * Dim + d];
-      }
-      row[3] = mass_[i] / density_[i];
-      row[7] = density_[i];
+      gather_row(i);
     }
   });
 }
 
 template <int Dim>
-void PeridynamicFlow<Dim>::update_density(double step_size) {
-  over_pieces(points_.size(), [&](Index task, Index begin, Index end) {
-    double least = most_density_, most = 0.0, closest = 1e200;
-    for (Index i = begin; i < end; ++i) {
-      BondSums<Dim> sums = sum_bonds<Dim>(rows_.data(), families_, weight_, i, bond_weight_.data());
-      if (fluid(i)) {
-        add_wall_velocity(*walls_, families_, rows_.data(), bond_weight_.data(), i, sums);
-        closest = std::min(closest, sums.least_squared);
-      } else if (walls_slide_) {
-        leave_out_walls(families_, rows_.data(), bond_weight_.data(), i, sums);
-      }
-      update_point(i, sums, step_size);
-      if (dissipation_ && fluid(i)) {
-        (*dissipation_)[i] = viscous_heating(*walls_, families_, rows_.data(), bond_weight_.data(),
-                                             i, sums, fluid_.viscosity);
-      }
-      if (fluid(i)) {
-        least = std::min(least, density_[i]);
-        most = std::max(most, density_[i]);
-      }
-    }
-    piece_least_[task] = least;
-    piece_most_[task] = most > 0.0 ? most : least;
-    piece_spacing_[task] = std::sqrt(closest);
-  });
-  if (two_field_) {
-    add_zero_energy();
+void PeridynamicFlow<Dim>::gather_row(Index point) {
+  double* row = rows_.data() + point * row_size;
+  for (int d = 0; d < Dim; ++d) {
+    row[d] = points_.position()[point * Dim + d];
+    row[4 + d] = velocity_[point * Dim + d];
   }
+  row[3] = mass_[point] / density_[point];
+  row[7] = density_[point];
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::update_density_and_kick(double step_size) {
+  bond_weights_.prepare(static_cast<Index>(reach_.size()), thread_count());
+  parallel_wave(
+      reach_, [&](Index task) { update_density(task, step_size); },
+      [&](Index task) { accelerate_and_kick(task, 0.5 * step_size); });
+  fastest_known_ = true;
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::update_density(Index task, double step_size) {
+  const Index begin = task * piece, end = std::min(points_.size(), begin + piece);
+  const Index first = families_.begin(begin);
+  bond_weights_.take(task, families_.begin(end) - first);
+  double least = most_density_, most = 0.0, closest = 1e200;
+  for (Index i = begin; i < end; ++i) {
+    double* weights = bond_weights_.of(task) + (families_.begin(i) - first);
+    BondSums<Dim> sums = sum_bonds<Dim>(rows_.data(), families_, weight_, i, weights);
+    if (fluid(i)) {
+      add_wall_velocity(*walls_, families_, rows_.data(), weights, i, sums);
+      closest = std::min(closest, sums.least_squared);
+    } else if (walls_slide_) {
+      leave_out_walls(families_, rows_.data(), weights, i, sums);
+    }
+    update_point(i, sums, step_size);
+    if (dissipation_ && fluid(i)) {
+      (*dissipation_)[i] =
+          viscous_heating(*walls_, families_, rows_.data(), weights, i, sums, fluid_.viscosity);
+    }
+    if (fluid(i)) {
+      least = std::min(least, density_[i]);
+      most = std::max(most, density_[i]);
+    }
+  }
+  piece_least_[task] = least;
+  piece_most_[task] = most > 0.0 ? most : least;
+  piece_spacing_[task] = std::sqrt(closest);
 }
 
 template <int Dim>
@@ -249,10 +267,10 @@ void PeridynamicFlow<Dim>::update_point(Index point, const BondSums<Dim>& sums, 
   const Mat<Dim> inverse = sums.shape.inverse();
   const Mat<Dim> gradient = sums.gradient * inverse;
   const double old = density_[point];
-  const double trace = sums.shape.trace();
+  const double per_trace = 1.0 / sums.shape.trace();
   // Eq. 26, and the diffusion that smooths sound.
   const double diffusion = settings_.density_diffusion * sound_speed_ * walls_->spacing() * 2.0 *
-                           Dim / trace * sums.density;
+                           Dim * per_trace * sums.density;
   density_[point] = old + step_size * (diffusion - old * gradient.trace());
   const double p = pressure_(printed_.old_stress ? old : density_[point]);
 
@@ -265,7 +283,7 @@ void PeridynamicFlow<Dim>::update_point(Index point, const BondSums<Dim>& sums, 
   } else if (settings_.laplacian == Laplacian::compact) {
     viscous = fluid_.viscosity * lattice_constant_ * sums.velocity;
   } else {
-    viscous = fluid_.viscosity * 2.0 * Dim / trace * (sums.velocity - gradient * sums.bond);
+    viscous = fluid_.viscosity * 2.0 * Dim * per_trace * (sums.velocity - gradient * sums.bond);
   }
   force_.set(point, stress, rows_.data() + point * row_size, viscous, sums.bond);
   if (fluid(point)) {
@@ -277,45 +295,45 @@ void PeridynamicFlow<Dim>::update_point(Index point, const BondSums<Dim>& sums, 
 }
 
 template <int Dim>
-void PeridynamicFlow<Dim>::add_zero_energy() {
-  if (settings_.laplacian != Laplacian::zero_energy) {
-    return;
-  }
-  // What the mean gradient does not explain of a velocity difference, per bond.
-  over_pieces(points_.size(), [&](Index, Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) {
-      if (!fluid(i)) {
-        continue;
-      }
-      const double* own = rows_.data() + i * row_size;
-      Vec<Dim> sum = Vec<Dim>::Zero();
-      for (Index k = families_.begin(i); k < families_.end(i); ++k) {
-        const Index j = families_.neighbour(k);
-        const double* other = rows_.data() + j * row_size;
-        Vec<Dim> bond, relative;
-        for (int d = 0; d < Dim; ++d) {
-          bond[d] = other[d] - own[d];
-          relative[d] = other[4 + d] - own[4 + d];
-        }
-        const double scale =
-            0.5 * bond_weight_[k] * (inverse_shape_[i].trace() + inverse_shape_[j].trace());
-        sum += scale * (relative - 0.5 * (gradient_[i] + gradient_[j]) * bond);
-      }
-      force_.add(i, settings_.zero_energy * fluid_.viscosity * sum);
+Vec<Dim> PeridynamicFlow<Dim>::zero_energy(Index point, const double* weights) const {
+  const double* own = rows_.data() + point * row_size;
+  Vec<Dim> sum = Vec<Dim>::Zero();
+  for (Index k = families_.begin(point); k < families_.end(point); ++k) {
+    const Index j = families_.neighbour(k);
+    const double* other = rows_.data() + j * row_size;
+    Vec<Dim> bond, relative;
+    for (int d = 0; d < Dim; ++d) {
+      bond[d] = other[d] - own[d];
+      relative[d] = other[4 + d] - own[4 + d];
     }
-  });
+    const double scale = 0.5 * weights[k - families_.begin(point)] *
+                         (inverse_shape_[point].trace() + inverse_shape_[j].trace());
+    sum += scale * (relative - 0.5 * (gradient_[point] + gradient_[j]) * bond);
+  }
+  return settings_.zero_energy * fluid_.viscosity * sum;
 }
 
 template <int Dim>
-void PeridynamicFlow<Dim>::accelerate() {
-  over_pieces(points_.size(), [&](Index, Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) {
-      if (fluid(i)) {
-        const Vec<Dim> a = force_(i, families_, bond_weight_.data()) / density_[i] + body_force(i);
-        std::copy(a.data(), a.data() + Dim, acceleration_.data() + i * Dim);
-      }
+void PeridynamicFlow<Dim>::accelerate_and_kick(Index task, double step_size) {
+  const Index begin = task * piece, end = std::min(points_.size(), begin + piece);
+  const Index first = families_.begin(begin);
+  for (Index i = begin; i < end; ++i) {
+    points_.volume()[i] = mass_[i] / density_[i];
+    if (!fluid(i)) {
+      continue;
     }
-  });
+    const double* weights = bond_weights_.of(task) + (families_.begin(i) - first);
+    if (settings_.laplacian == Laplacian::zero_energy) {
+      force_.add(i, zero_energy(i, weights));
+    }
+    const Vec<Dim> a = force_(i, families_, weights) / density_[i] + body_force(i);
+    for (int d = 0; d < Dim; ++d) {
+      acceleration_[i * Dim + d] = a[d];
+      velocity_[i * Dim + d] += step_size * a[d];
+    }
+  }
+  piece_fastest_[task] = fastest_squared(begin, end);
+  bond_weights_.give_back(task);
 }
 
 template <int Dim>
@@ -326,20 +344,6 @@ Vec<Dim> PeridynamicFlow<Dim>::body_force(Index point) const {
     return -fluid_.expansion * warmer * gravity_;
   }
   return (1.0 - fluid_.expansion * warmer) * gravity_;
-}
-
-template <int Dim>
-void PeridynamicFlow<Dim>::kick(double step_size) {
-  over_pieces(points_.size(), [&](Index, Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) {
-      if (fluid(i)) {
-        for (int d = 0; d < Dim; ++d) {
-          velocity_[i * Dim + d] += step_size * acceleration_[i * Dim + d];
-        }
-      }
-      points_.volume()[i] = mass_[i] / density_[i];
-    }
-  });
 }
 
 template <int Dim>

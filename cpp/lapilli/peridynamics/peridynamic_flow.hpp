@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "lapilli/core/parallel.hpp"
+#include "lapilli/peridynamics/bond_scratch.hpp"
 #include "lapilli/peridynamics/bond_sums.hpp"
 #include "lapilli/peridynamics/equation_of_state.hpp"
 #include "lapilli/peridynamics/flow.hpp"
@@ -10,6 +12,9 @@
 #include "lapilli/peridynamics/velocity_noise.hpp"
 
 namespace lapilli {
+
+/// Points worked on as one piece.
+inline constexpr Index flow_piece = 256;
 
 /// Semi-Lagrangian peridynamics of a weakly compressible Newtonian fluid (Yang, Zhao, Zhu, Feng,
 /// Eqs. 26, 27, 33-36, 38), velocity Verlet.
@@ -36,12 +41,15 @@ class PeridynamicFlow final : public Flow {
   std::vector<std::pair<std::string, double>> diagnostics() const override;
 
   const PointArray& velocity() const override { return velocity_; }
-  PointArray& velocity() override { return velocity_; }
+  PointArray& velocity() override {
+    fastest_known_ = false;
+    return velocity_;
+  }
   const PointArray& density() const override { return density_; }
   const PointArray* dissipation() const override { return dissipation_.get(); }
   double sound_speed() const override { return sound_speed_; }
   double velocity_noise() const override {
-    return lapilli::velocity_noise<Dim>(*walls_, families_, bond_weight_, velocity_);
+    return lapilli::velocity_noise<Dim>(*walls_, families_, weight_, velocity_);
   }
   std::pair<double, double> density_variation() const override {
     return {least_density_ / fluid_.density - 1.0, most_density_ / fluid_.density - 1.0};
@@ -51,16 +59,21 @@ class PeridynamicFlow final : public Flow {
 
  private:
   void start();
+  void find_fastest();
+  double fastest_squared(Index begin, Index end) const;  // m^2/s^2
   void kick_and_drift(const Step& step);
   void find_families();
   void gather_rows();
-  /// New density and pressure, stress rows and viscous force of every point.
-  void update_density(double step_size);
+  void gather_row(Index point);
+  /// Density, then acceleration and the second half of the kick, piece by piece.
+  void update_density_and_kick(double step_size);
+  /// New density and pressure, stress rows and viscous force of one piece.
+  void update_density(Index task, double step_size);
   void update_point(Index point, const BondSums<Dim>& sums, double step_size);
-  void add_zero_energy();
-  /// Acceleration from stress rows and body force.
-  void accelerate();
-  void kick(double step_size);
+  /// Acceleration of one piece from stress rows and body force.
+  void accelerate_and_kick(Index task, double step_size);
+  /// What the mean gradient does not explain of velocity differences, as a force per volume, N/m^3.
+  Vec<Dim> zero_energy(Index point, const double* weights) const;
   void check_density();
 
   Vec<Dim> body_force(Index point) const;  // acceleration, m/s^2
@@ -86,11 +99,13 @@ class PeridynamicFlow final : public Flow {
   std::unique_ptr<PointArray> dissipation_;
   StressForce<Dim> force_;
   Families families_;
-  std::vector<double> rows_, bond_weight_;
+  LargeArray<double> rows_;
+  BondScratch bond_weights_;                        // w V, from the density to the force
   std::vector<Mat<Dim>> gradient_, inverse_shape_;  // kept for two fields only
-  std::vector<double> piece_least_, piece_most_, piece_spacing_;
+  std::vector<TaskRange> reach_;                    // pieces in which the families of a piece lie
+  std::vector<double> piece_least_, piece_most_, piece_spacing_, piece_fastest_, piece_farthest_;
   double least_density_, most_density_, smallest_spacing_ = 1e100;
-  bool started_ = false;
+  bool started_ = false, fastest_known_ = false;
 };
 
 }  // namespace lapilli

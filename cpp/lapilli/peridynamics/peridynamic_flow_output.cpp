@@ -67,7 +67,8 @@ void PeridynamicFlow<Dim>::load(const Archive& archive) {
     walls_->load(archive);
   }
   families_.load(archive, "flow/families");
-  bond_weight_.resize(static_cast<std::size_t>(families_.bonds()));
+  reach_ = families_.reach(flow_piece);
+  fastest_known_ = false;
 }
 
 #define LAPILLI_INSTANTIATE(Dim)                                                                  \

@@ -35,14 +35,16 @@ void StressForce<Dim>::set(Index point, const Mat<Dim>& stress, const double* po
 template <int Dim>
 Vec<Dim> StressForce<Dim>::operator()(Index point, const Families& families,
                                       const double* bond_weight) const {
-  const std::int32_t* neighbours = families.neighbours();
+  const std::int32_t* neighbours = families.neighbours() + families.begin(point);
+  const Index end = families.end(point) - families.begin(point);
+  const Index padded_end = families.padded_end(point) - families.begin(point);
   const double* own = rows_.data() + point * row_size;
   const Vec<Dim>& bonds = bonds_[static_cast<std::size_t>(point)];
   Vec<Dim> force = force_[static_cast<std::size_t>(point)];
   if constexpr (Dim == 3) {
     const Quad x = load_quad(own + 12);
     Quad sum = all(0.0);
-    for (Index k = families.begin(point); k < families.end(point); ++k) {
+    for (Index k = 0; k < end; ++k) {
       const double* other = rows_.data() + neighbours[k] * row_size;
       const Quad bond = (load_quad(other + 12) - x) * all(bond_weight[k]);
       for (int d = 0; d < 3; ++d) {
@@ -56,7 +58,7 @@ Vec<Dim> StressForce<Dim>::operator()(Index point, const Families& families,
   } else {
     const Quad x = load_quad(own + 4);
     Quad even = all(0.0), odd = even;
-    for (Index k = families.begin(point); k < families.padded_end(point); k += 2) {
+    for (Index k = 0; k < padded_end; k += 2) {
       const double* first = rows_.data() + neighbours[k] * row_size;
       const double* second = rows_.data() + neighbours[k + 1] * row_size;
       even = multiply_add(load_quad(first), (load_quad(first + 4) - x) * all(bond_weight[k]), even);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "lapilli/core/large_array.hpp"
 #include "lapilli/peridynamics/bond_sums.hpp"
 
 namespace lapilli {
@@ -20,7 +21,7 @@ class StressForce {
   void add(Index point, const Vec<Dim>& viscous) {
     force_[static_cast<std::size_t>(point)] += viscous;
   }
-  /// Force on a point, N/m^3, once all are set; `bond_weight` w V of each bond.
+  /// Force on a point, N/m^3, once all are set; `bond_weight` w V of each bond of the point.
   Vec<Dim> operator()(Index point, const Families& families, const double* bond_weight) const;
 
  private:
@@ -28,7 +29,7 @@ class StressForce {
   // that one product serves both components of two columns.
   static constexpr Index row_size = Dim == 3 ? 16 : 8;
 
-  std::vector<double> rows_;
+  LargeArray<double> rows_;
   std::vector<Vec<Dim>> force_, bonds_;
 };
 

@@ -15,7 +15,7 @@ void for_wall_bonds(const WallSurface& walls, const Families& families, const do
   const double* own = rows + point * flow_row_size;
   const double least = 0.25 * walls.spacing();
   for (Index k = families.wall_begin(point); k < families.end(point); ++k) {
-    const double w = bond_weight[k];
+    const double w = bond_weight[k - families.begin(point)];
     if (w == 0.0) {
       continue;
     }
@@ -58,7 +58,7 @@ void leave_out_walls(const Families& families, const double* rows, const double*
       bond[d] = other[d] - own[d];
       relative[d] = other[4 + d] - own[4 + d];
     }
-    sums.gradient -= bond_weight[k] * relative * bond.transpose();
+    sums.gradient -= bond_weight[k - families.begin(point)] * relative * bond.transpose();
   }
 }
 

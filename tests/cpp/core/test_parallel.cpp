@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <vector>
 
 #include "lapilli/core/parallel.hpp"
 
@@ -18,6 +20,61 @@ TEST_CASE("sums are the same bytes for any number of threads") {
   const double n = 100'001;
   REQUIRE(alone ==
           Approx(std::sin(0.5 * (n - 1)) * std::sin(0.5 * n) / std::sin(0.5)).margin(1e-9));
+}
+
+TEST_CASE("runs call every task once, neighbours in one thread") {
+  for (int threads : {1, 3}) {
+    set_thread_count(threads);
+    std::vector<int> calls(100, 0), thread(100, -1);
+    parallel_runs(100, [&](Index task) {
+      ++calls[task];
+      thread[task] = thread_index();
+    });
+    REQUIRE(std::all_of(calls.begin(), calls.end(), [](int count) { return count == 1; }));
+    REQUIRE(std::is_sorted(thread.begin(), thread.end()));
+  }
+  set_thread_count(0);
+}
+
+TEST_CASE("a wave follows each task once, after all that the task needs") {
+  const auto tasks = GENERATE(0, 1, 2, 40);
+  const auto reach = GENERATE(0, 3, 1000);
+  std::vector<TaskRange> needs;
+  for (Index task = 0; task < tasks; ++task) {
+    needs.push_back({std::max<Index>(0, task - reach), std::min<Index>(tasks - 1, task + reach)});
+  }
+  for (int threads : {1, 2, 4, 7}) {
+    set_thread_count(threads);
+    std::vector<int> led(tasks, 0), followed(tasks, 0);
+    std::vector<char> early(tasks, 0);
+    parallel_wave(
+        needs, [&](Index task) { ++led[task]; },
+        [&](Index task) {
+          ++followed[task];
+          for (Index other = needs[task].first; other <= needs[task].last; ++other) {
+            early[task] = early[task] != 0 || led[other] != 1 ? 1 : 0;
+          }
+        });
+    CAPTURE(tasks, reach, threads);
+    REQUIRE(std::all_of(led.begin(), led.end(), [](int count) { return count == 1; }));
+    REQUIRE(std::all_of(followed.begin(), followed.end(), [](int count) { return count == 1; }));
+    REQUIRE(std::none_of(early.begin(), early.end(), [](char any) { return any != 0; }));
+  }
+  set_thread_count(0);
+}
+
+TEST_CASE("one thread follows a task as soon as it can") {
+  set_thread_count(1);
+  std::vector<TaskRange> needs;
+  for (Index task = 0; task < 6; ++task) {
+    needs.push_back({std::max<Index>(0, task - 1), std::min<Index>(5, task + 1)});
+  }
+  std::vector<Index> order;
+  parallel_wave(
+      needs, [&](Index task) { order.push_back(task); },
+      [&](Index task) { order.push_back(-task); });
+  REQUIRE(order == std::vector<Index>{0, 1, 0, 2, -1, 3, -2, 4, -3, 5, -4, -5});
+  set_thread_count(0);
 }
 
 TEST_CASE("an absurd thread count is refused") {

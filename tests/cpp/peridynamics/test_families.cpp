@@ -64,6 +64,41 @@ TEST_CASE("families are searched again only when a point has moved half the skin
   REQUIRE(families.searches() == 2);
 }
 
+TEST_CASE("families trust the path of the points until it spends the skin") {
+  auto points = random_points(2, 200, 5);
+  Families families(*points, 0.1, 0.02, {FamilyRole{}});
+  families.update();
+  // To and fro: the path adds up, the displacement does not; looking again resets the bound.
+  for (int step = 0; step < 40; ++step) {
+    points->position()[10] += step % 2 == 0 ? 0.004 : -0.004;
+    points->moved_at_most(0.004);
+    REQUIRE_FALSE(families.update());
+  }
+  points->position()[10] += 0.0101;
+  points->moved_at_most(0.0101);
+  REQUIRE(families.update());
+  // An unknown move is looked at, however small the known ones.
+  points->position()[10] -= 0.0101;
+  points->moved();
+  points->moved_at_most(1e-6);
+  REQUIRE(families.update());
+  REQUIRE(families.searches() == 3);
+}
+
+TEST_CASE("pieces reach as far as their families") {
+  auto points = random_points(2, 700, 5);
+  Families families(*points, 0.2, 0.02, {FamilyRole{}});
+  families.update();
+  const std::vector<TaskRange> reach = families.reach(256);
+  REQUIRE(reach.size() == 3);
+  for (Index i = 0; i < 700; ++i) {
+    for (Index bond = families.begin(i); bond < families.end(i); ++bond) {
+      REQUIRE(reach[i / 256].first <= families.neighbour(bond) / 256);
+      REQUIRE(reach[i / 256].last >= families.neighbour(bond) / 256);
+    }
+  }
+}
+
 TEST_CASE("families list walls last, are the same for any threads and after a resume") {
   auto points = random_points(2, 1500, 5);
   points->append(std::vector<double>{0.5, 0.5, 0.51, 0.5}, std::vector<double>{1.0, 1.0}, 1);
