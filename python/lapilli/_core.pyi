@@ -2654,7 +2654,7 @@ class PeridynamicFlow:
     length : float, m, default 0.0
         l of the sound speed; 0: height of the fluid; at least 0 (m)
     temperature_range : float, K, default 0.0
-        dT of the sound speed; 0: between the walls; at least 0 (K)
+        dT of the sound speed; 0: what walls, their surroundings and the start span; at least 0 (K)
     stiffness_exponent : float, default 7.0
         of the equation of state; above 0
     density_diffusion : float, default 0.1
@@ -2798,7 +2798,7 @@ class PeridynamicFlow:
     @property
     def temperature_range(self) -> float:
         """
-        dT of the sound speed; 0: between the walls, K
+        dT of the sound speed; 0: what walls, their surroundings and the start span, K
         """
     @temperature_range.setter
     def temperature_range(self, value: float) -> None:
