@@ -4,6 +4,7 @@
 
 #include "bindings.hpp"
 #include "convert_scene.hpp"
+#include "lapilli/core/diagnostics.hpp"
 #include "lapilli/mpm/surface_view.hpp"
 #include "lapilli/scene/build.hpp"
 
@@ -75,10 +76,8 @@ std::string unit_of(PythonSimulation& simulation, const std::string& name) {
 
 py::dict diagnostics(PythonSimulation& simulation) {
   py::dict all;
-  for (const auto& physics : simulation.get().physics()) {
-    for (const auto& [name, value] : physics->diagnostics()) {
-      all[py::str(physics->name() + "/" + name)] = value;
-    }
+  for (const auto& [name, value] : diagnostics_of(simulation.get())) {
+    all[py::str(name)] = value;
   }
   return all;
 }

@@ -5,6 +5,11 @@
 #include "lapilli/output/checksum.hpp"
 
 namespace lapilli {
+namespace {
+
+constexpr double record_interval_seconds = 1.0;
+
+}  // namespace
 
 RunFiles::RunFiles(Simulation& simulation, const RunOptions& options, const FrameSchedule& schedule)
     : simulation_(simulation), options_(options), schedule_(schedule) {
@@ -39,6 +44,8 @@ void RunFiles::resume(RunStatistics& statistics) {
   simulation_.load(checkpoint.state);
   statistics.load(checkpoint.state);
   kept_frames_ = checkpoint.state.read_index("run/frames");
+  record_.history.load(checkpoint.state, simulation_);
+  record_.history.cut(kept_frames_);
   writer_ = VtkhdfWriter::resume(options_.output, kept_frames_, schedule_.planned());
   write_record("running", statistics);
 }
@@ -50,6 +57,7 @@ void RunFiles::after_step(const RunStatistics& statistics) {
   const bool due = schedule_.is_due(simulation_.time(), simulation_.step_index());
   if (due) {
     write_frame(true);
+    keep_record(statistics);
   }
   const double interval = options_.checkpoint_interval_seconds;
   const std::chrono::duration<double> since = std::chrono::steady_clock::now() - checkpointed_;
@@ -70,8 +78,18 @@ void RunFiles::stop(const RunStatistics& statistics) {
 
 void RunFiles::write_frame(bool keep) {
   writer_->write(simulation_.time(), simulation_.points(), simulation_.fields());
+  record_.history.add(simulation_);
   if (keep) {
     kept_frames_ = writer_->frames();
+  }
+}
+
+void RunFiles::keep_record(const RunStatistics& statistics) {
+  // The record grows with every frame: not so often that writing it counts.
+  const std::chrono::duration<double> since = std::chrono::steady_clock::now() - recorded_;
+  if (since.count() >= record_interval_seconds) {
+    write_record("running", statistics);
+    recorded_ = std::chrono::steady_clock::now();
   }
 }
 
@@ -83,6 +101,7 @@ void RunFiles::write_checkpoint(const RunStatistics& statistics) {
   simulation_.save(checkpoint.state);
   statistics.save(checkpoint.state);
   checkpoint.state.write("run/frames", kept_frames_);
+  record_.history.save(checkpoint.state);
   save_checkpoint(checkpoint_path(options_.output), checkpoint);
   checkpointed_ = std::chrono::steady_clock::now();
 }

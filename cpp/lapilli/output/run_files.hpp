@@ -39,6 +39,7 @@ class RunFiles {
     return writer_->frames() > 0 && writer_->times().back() == simulation_.time();
   }
   void write_frame(bool keep);
+  void keep_record(const RunStatistics& statistics);
   void write_checkpoint(const RunStatistics& statistics);
 
   Simulation& simulation_;
@@ -48,6 +49,7 @@ class RunFiles {
   std::optional<VtkhdfWriter> writer_;
   Index kept_frames_ = 0;  // those that a resumed run does not write again
   std::chrono::steady_clock::time_point checkpointed_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point recorded_;
 };
 
 /// Files beside the frames: run.vtkhdf -> run.checkpoint, run.json.

@@ -3,8 +3,10 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 
+#include "lapilli/core/diagnostics.hpp"
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/output/file.hpp"
 #include "lapilli/output/json.hpp"
@@ -83,7 +85,43 @@ void write_physics(JsonWriter& json, const Physics& physics) {
   json.end_object();
 }
 
+void write_history(JsonWriter& json, const History& history) {
+  json.begin_object();
+  for (std::size_t column = 0; column <= history.names().size(); ++column) {
+    json.key(column == 0 ? "time" : history.names()[column - 1]).begin_array();
+    for (Index frame = 0; frame < history.frames(); ++frame) {
+      json.value(history.at(frame, column));
+    }
+    json.end_array();
+  }
+  json.end_object();
+}
+
 }  // namespace
+
+void History::add(Simulation& simulation) {
+  const auto numbers = diagnostics_of(simulation);
+  names_.clear();
+  rows_.push_back(simulation.time());
+  for (const auto& [name, value] : numbers) {
+    names_.push_back(name);
+    rows_.push_back(value);
+  }
+}
+
+void History::cut(Index frames) {
+  rows_.resize(static_cast<std::size_t>(frames) * (names_.size() + 1), std::nan(""));
+}
+
+void History::save(Archive& archive) const { archive.write("run/history", rows_); }
+
+void History::load(const Archive& archive, Simulation& simulation) {
+  names_.clear();
+  for (const auto& [name, value] : diagnostics_of(simulation)) {
+    names_.push_back(name);
+  }
+  rows_ = archive.read_numbers("run/history");
+}
 
 void RunStatistics::count(const StepReport& report) {
   ++steps;
@@ -126,6 +164,8 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
     write_physics(json, *physics);
   }
   json.end_array();
+  json.key("history");
+  write_history(json, record.history);
   json.member("fingerprint", record.fingerprint);
   json.key("settings").json(record.settings.empty() ? "null" : record.settings);
   json.member("scene", record.scene_text);

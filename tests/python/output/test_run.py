@@ -21,6 +21,10 @@ def contents(folder):
     return {file.name: file.read_bytes() for file in folder.iterdir() if file.suffix != ".json"}
 
 
+def history(folder):
+    return json.loads((folder / "run.json").read_text())["history"]
+
+
 def test_the_record_says_everything(drivers, tmp_path):
     assert drive(drivers, "run", tmp_path / "run.vtkhdf").stdout == "finished\n"
     record = json.loads((tmp_path / "run.json").read_text())
@@ -45,6 +49,13 @@ def test_the_record_says_everything(drivers, tmp_path):
     assert abs(ledger["residual"]) < 1e-13
     assert ledger["stored"] - ledger["initial"] == pytest.approx(ledger["entries"][0]["in"])
     assert 0 < physics["diagnostics"]["hottest"] < 2
+    told = history(tmp_path)
+    assert len(told["time"]) == record["frames"]
+    assert told["time"][0] == 0
+    assert told["time"][-1] == record["end"]
+    (hottest,) = (values for name, values in told.items() if name.endswith("/hottest"))
+    assert len(hottest) == record["frames"]
+    assert hottest[-1] == physics["diagnostics"]["hottest"] < hottest[0]
 
 
 @pytest.mark.parametrize("stride", [4, pytest.param(1, marks=pytest.mark.slow)])
@@ -69,6 +80,7 @@ def test_a_run_killed_at_any_write_resumes_to_the_same_bytes(drivers, tmp_path, 
             again = drive(drivers, "run", output)
         assert again.stdout == "finished\n", again.stderr
         assert contents(folder) == contents(whole)
+        assert history(folder) == history(whole)
     assert resumed > 30 // stride  # frames 1 to 5, with more than six calls each
 
 
