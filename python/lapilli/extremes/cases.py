@@ -26,13 +26,18 @@ class Case:
     transfer: str
     scene: lp.Scene
     lattice: bool  # points on a lattice along the grid: the automatic step must not be timid
+    length: int = 30  # automatic steps of a run
+    fine: float = 0.05  # steps of what a run is compared with, over the automatic one
 
 
 def all_cases(transfers: tuple[str, ...] = TRANSFERS) -> Iterator[Case]:
     """Every case with every transfer that it allows."""
     if FLUID in transfers:
         for name, scene in fluid_scenes():
-            yield Case(name, FLUID, scene, False)
+            # Sound needs time to grow: it crosses the box some ten times.
+            moving = scene.peridynamics is not None and scene.peridynamics.flow is not None
+            length, fine = (600, 0.5) if moving else (30, 0.05)
+            yield Case(name, FLUID, scene, False, length, fine)
     if SOIL in transfers:
         for name, scene in soil_scenes():
             yield Case(name, SOIL, scene, False)

@@ -19,7 +19,7 @@ def fluid_scenes() -> Iterator[tuple[str, lp.Scene]]:
     yield "heat, 25 % jitter", cavity(0.0, jitter=0.25)
     yield "heat, random points", cavity(0.0, random=True)
     yield "heat, horizon 3", cavity(0.0, heat={"horizon": 3.015})
-    for rayleigh in (1e3, 1e5):
+    for rayleigh in (1e3, 1e5, 1e8):
         yield f"flow, Ra {rayleigh:.0e}", cavity(rayleigh)
     for prandtl in (0.01, 100.0):
         yield f"flow, Pr {prandtl:g}", cavity(1e4, prandtl)
@@ -27,7 +27,15 @@ def fluid_scenes() -> Iterator[tuple[str, lp.Scene]]:
     yield "flow, zero-energy", cavity(1e4, flow={"laplacian": "zero-energy"})
     yield "flow, horizon 2", cavity(1e4, flow={"horizon": 2.0})
     yield "flow, horizon 5", cavity(1e4, flow={"horizon": 5.0})
+    for horizon in (1.2, 5.0):
+        yield f"flow, thermal horizon {horizon:g}", cavity(1e4, heat={"horizon": horizon})
+    for factor in (3.0, 20.0):
+        yield (
+            f"flow, sound speed factor {factor:g}",
+            cavity(1e4, flow={"sound_speed_factor": factor}),
+        )
     yield "flow, 25 % jitter", cavity(1e4, jitter=0.25)
+    yield "flow, random points", cavity(1e4, random=True)
 
 
 def cavity(

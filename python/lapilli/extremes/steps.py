@@ -14,11 +14,9 @@ from lapilli.extremes.cases import Case
 
 # Steps over the automatic one.
 FACTORS = (0.125, 0.25, 0.5, 0.71, 1.0, 1.25, 1.41, 2.0, 2.83, 4.0)
-# What a run is compared with takes steps this much smaller than the automatic one.
-FINE = 0.05
-LONG = 30  # automatic steps of a run
 STRAY = 0.25  # of the span, beyond which a run counts as unstable
 CLOSE = 0.03  # RMS over the span within which it counts as accurate
+FAST = 2.0  # times the speed of the fine run, beyond which a flow counts as unstable
 
 
 class Outcome(StrEnum):
@@ -46,12 +44,12 @@ class Row:
 def measure(case: Case, factors: tuple[float, ...] = FACTORS) -> Iterator[Row]:
     """Try every step. Steps that are refused or blow up are results."""
     automatic = min(limit for limit, _, _ in Simulation(case.scene).limits().values())
-    end = LONG * automatic
-    truth, _ = _run(case, FINE * automatic, end)
+    end = case.length * automatic
+    truth, _, speed = _run(case, case.fine * automatic, end)
     for factor in factors:
         step = factor * automatic
         try:
-            values, stray = _run(case, step, end)
+            values, stray, fast = _run(case, step, end)
         except ValueError as error:
             yield Row(case, step, factor, Outcome.REFUSED, None, None, str(error))
             continue
@@ -60,20 +58,24 @@ def measure(case: Case, factors: tuple[float, ...] = FACTORS) -> Iterator[Row]:
             continue
         error_size = float(np.sqrt(np.mean((values - truth) ** 2)))
         outcome = Outcome.STABLE
-        if not stray <= max(STRAY, 2.0 * _stray(truth)):
+        if not (stray <= max(STRAY, 2.0 * _stray(truth)) and fast <= FAST * speed):
             outcome = Outcome.UNSTABLE
         elif error_size > CLOSE:
             outcome = Outcome.INACCURATE
         yield Row(case, step, factor, outcome, error_size, stray, "")
 
 
-def _run(case: Case, step: float, end: float) -> tuple[npt.NDArray[np.float64], float]:
-    """Nodal temperatures at the points at the end, and how far they strayed then."""
+def _run(case: Case, step: float, end: float) -> tuple[npt.NDArray[np.float64], float, float]:
+    """Nodal temperatures at the points at the end, how far they strayed then, and the root mean
+    square of the speed of a flow (0 without)."""
     scene = case.scene.set(f"time.end={end!r}").set(f"time.step={step!r}")
     simulation = Simulation(scene)
     simulation.run_until(end)
     values = simulation.by_id("temperature")
-    return values, _stray(values)
+    speed = 0.0
+    if case.scene.peridynamics is not None and "velocity" in simulation.fields:
+        speed = float(np.sqrt(np.mean(simulation["velocity"] ** 2)))
+    return values, _stray(values), speed
 
 
 def _stray(values: npt.NDArray[np.float64]) -> float:
