@@ -44,6 +44,11 @@ def near(value: float, other: float, most: float) -> Bar:
     return f"within {most:g}", bool(abs(value - other) <= most)
 
 
+def exactly(value: float, wanted: float) -> Bar:
+    """A bar that only one number keeps."""
+    return f"{wanted:g}", bool(value == wanted)
+
+
 def between(value: float, low: float, high: float) -> Bar:
     """A bar on both sides."""
     return f"{low:g} to {high:g}", bool(low <= value <= high)

@@ -18,7 +18,7 @@ from lapilli._core import Simulation
 from lapilli.references.cavity import Box, solve
 from lapilli.reproduce.case import Case, Row, example, quotient_within, within
 from lapilli.reproduce.pd.fluid_state import FluidState, carried_nusselt, fluid_state, sample
-from lapilli.reproduce.rows import NO_BAR, between, near, rows_of
+from lapilli.reproduce.rows import NO_BAR, between, exactly, rows_of
 from lapilli.reproduce.states import Array, changed
 
 NAME = "pd/benard"
@@ -132,7 +132,7 @@ def two_roll_rows() -> list[Row]:
     last = float(found.nusselt[-5:].mean())
     swing = float(np.ptp(found.nusselt[-5:]) / last)
     return [
-        row(layer.title, "rolls", found.rolls, near(found.rolls, 2, 0), reference=2),
+        row(layer.title, "rolls", found.rolls, exactly(found.rolls, 2), reference=2),
         row(
             layer.title,
             "Nu of the volume",
@@ -150,7 +150,7 @@ def figure_rows(name: str) -> list[Row]:
     layer, found = FIGURES[name], grown(FIGURES[name])
     setting = f"{name}: {layer.title}"
     drawn = ROLLS.get(name)
-    bar = NO_BAR if drawn is None else near(found.rolls, drawn, 0)
+    bar = NO_BAR if drawn is None else exactly(found.rolls, drawn)
     return [
         row(setting, "Nu of the volume", found.nusselt[-1], NO_BAR),
         row(setting, "its change over the last half", np.ptp(found.nusselt), NO_BAR),

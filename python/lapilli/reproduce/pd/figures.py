@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from lapilli.references.cavity import Box, solve
+from lapilli.references.cavity import DE_VAHL_DAVIS, Box, solve
 from lapilli.references.slab import prescribed_slab
 from lapilli.reproduce.figures import map_of, new_figure, save
 from lapilli.reproduce.pd import benard, cavity, conduction, thermals
@@ -51,29 +51,48 @@ def draw_middle(axes: Any, state: FluidState, label: str, rows: int) -> None:
 
 
 def draw_cavity(folder: Path, plans: Mapping[float, cavity.Plan]) -> Path:
-    """Temperature, speed, mid-lines and wall Nusselt number, beside finite differences (lines)."""
-    figure, axes = new_figure(len(plans), 5, width=3.4, height=3.2)
+    """Temperature, speed, mid-lines and wall Nusselt number beside finite differences (lines) and
+    the peaks of de Vahl Davis (crosses)."""
+    figure, axes = new_figure(len(plans), 6, width=3.4, height=3.2)
     for line, (rayleigh, plan) in zip(axes, plans.items(), strict=True):
         seen = cavity.measured(rayleigh, plan.rows, plan.end)
-        right = solve(Box(rayleigh=rayleigh, prandtl=cavity.PRANDTL), 80)
         state, spacing = seen.state, 1 / plan.rows
         speed = np.linalg.norm(state.velocity, axis=1)
         map_of(line[0], state.position, state.temperature, spacing, levels=LEVELS, span=(0, 1))
         map_of(line[1], state.position, speed, spacing, colors="viridis")
         line[0].set_title(f"Ra {rayleigh:.0e}: temperature")
         line[1].set_title("speed")
-        middle = np.full_like(cavity.LINE, 0.5)
-        exact = right.at(np.column_stack([cavity.LINE, middle]))
-        for k, (values, column, title) in enumerate(
-            [(seen.temperature, 2, "T on the horizontal mid-line"),
-             (seen.vertical, 1, "v on the horizontal mid-line")]):  # fmt: skip
-            line[2 + k].plot(cavity.LINE, exact[:, column], "k-", lw=0.8)
-            line[2 + k].plot(cavity.LINE[::6], values[::6], ".")
-            line[2 + k].set_title(title)
-        line[4].plot(right.y, right.local_nusselt(), "k-", lw=0.8)
-        line[4].plot(cavity.WALL, seen.local, ".")
-        line[4].set_title("Nu on the hot wall")
+        for one in line[:2]:
+            one.set(xlim=(0, 1), ylim=(0, 1))
+        draw_profiles(line[2:], rayleigh, seen)
+    axes[0, 2].legend()
     return save(figure, folder / "pd_cavity.png")
+
+
+def draw_profiles(axes: Any, rayleigh: float, seen: cavity.Measured) -> None:
+    """T, v and u along the mid-lines and Nu along the hot wall."""
+    right = solve(Box(rayleigh=rayleigh, prandtl=cavity.PRANDTL), 80)
+    peaks = DE_VAHL_DAVIS[rayleigh]
+    s, middle = cavity.LINE, np.full_like(cavity.LINE, 0.5)
+    across = right.at(np.column_stack([s, middle]))
+    up = right.at(np.column_stack([middle, s]))
+    for one, values, line, title in (
+        (axes[0], seen.temperature, across[:, 2], "T on the horizontal mid-line"),
+        (axes[1], seen.vertical, across[:, 1], "v on the horizontal mid-line"),
+        (axes[2], seen.horizontal, up[:, 0], "u on the vertical mid-line"),
+    ):
+        one.plot(s, line, "k-", lw=0.8, label="finite differences")
+        one.plot(s[::6], values[::6], ".", label="points")
+        one.set_title(title)
+        one.set_xlabel("y / l" if one is axes[2] else "x / l")
+    axes[1].plot(peaks.vertical_peak_at, peaks.vertical_peak, "rx", ms=8)
+    axes[2].plot(peaks.horizontal_peak_at, peaks.horizontal_peak, "rx", ms=8)
+    axes[0].plot([], [], "rx", ms=8, label="de Vahl Davis")
+    axes[3].plot(right.y, right.local_nusselt(), "k-", lw=0.8)
+    axes[3].plot(cavity.WALL, seen.local, ".")
+    axes[3].axhline(cavity.LARGEST_LOCAL[rayleigh], color="r", lw=0.6, ls="--")
+    axes[3].set_title("Nu on the hot wall (dashed: its largest)")
+    axes[3].set_xlabel("y / l")
 
 
 def draw_layers(folder: Path, layers: Mapping[str, benard.Layer]) -> Path:
