@@ -11,7 +11,7 @@ namespace {
 
 using lanes::multiply_add;
 
-constexpr Index piece = 256;   // points worked on as one piece
+constexpr Index piece = 128;   // points worked on as one piece
 constexpr Index row_size = 8;  // doubles
 constexpr int sweeps_at_rest = 200;
 constexpr double sweep_damping = 0.7;

@@ -8,7 +8,7 @@
 namespace lapilli {
 namespace {
 
-constexpr Index piece = 256;  // points worked on as one piece
+constexpr Index piece = 128;  // points worked on as one piece
 
 }  // namespace
 

@@ -14,7 +14,7 @@
 namespace lapilli {
 
 /// Points worked on as one piece.
-inline constexpr Index flow_piece = 256;
+inline constexpr Index flow_piece = 128;
 
 /// Semi-Lagrangian peridynamics of a weakly compressible Newtonian fluid (Yang, Zhao, Zhu, Feng,
 /// Eqs. 26, 27, 33-36, 38), velocity Verlet.
