@@ -12,7 +12,8 @@ from lapilli.study.table import Table, cost_of, error_of
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-MARKERS = "osD^vP*X<>"
+MARKERS = "osD^vP*X<>p"  # eleven, where colours come back after ten: no two lines look alike
+WIDE = 44  # letters of a label, beyond which two do not fit beside each other
 
 
 def _varied(table: Table) -> set[str]:
@@ -35,7 +36,6 @@ def draw(table: Table, path: str | os.PathLike[str] | None = None) -> Figure:
     require_matplotlib()
     import matplotlib.pyplot as plt
 
-    figure, axes = plt.subplots(figsize=(7, 6), layout="constrained")
     varied = _varied(table)
     series: dict[Setting, list[tuple[float, float, str]]] = {}
     for row in table.rows:
@@ -43,6 +43,10 @@ def draw(table: Table, path: str | os.PathLike[str] | None = None) -> Figure:
             first, rest = row.setting.changes[0], Setting(row.setting.changes[1:])
             point = (cost_of(row), max(error_of(row), 1e-16), first[1])
             series.setdefault(rest, []).append(point)
+    labels = [_label(rest, varied) for rest in series]
+    columns = 1 if max(map(len, labels), default=0) > WIDE else 2
+    legend = 0.15 * max(0, len(labels) // columns - 4)
+    figure, axes = plt.subplots(figsize=(7, 6 + legend), layout="constrained")
     front = [(cost_of(row), max(error_of(row), 1e-16)) for row in table.front]
     if front:
         axes.step(
@@ -53,10 +57,10 @@ def draw(table: Table, path: str | os.PathLike[str] | None = None) -> Figure:
             zorder=0,
             label="Pareto front",
         )
-    for number, (rest, points) in enumerate(series.items()):
+    for number, points in enumerate(series.values()):
         cost, error, _ = zip(*points, strict=True)
         marker = MARKERS[number % len(MARKERS)]
-        axes.plot(cost, error, marker=marker, lw=1, label=_label(rest, varied) or None)
+        axes.plot(cost, error, marker=marker, lw=1, label=labels[number] or None)
         for x, y, label in points:
             axes.annotate(label, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=7)
     if series:
@@ -67,7 +71,7 @@ def draw(table: Table, path: str | os.PathLike[str] | None = None) -> Figure:
     axes.set_title(f"numbers at the marks: {along}", fontsize=9)
     axes.grid(which="both", alpha=0.2)
     if axes.get_legend_handles_labels()[0]:
-        figure.legend(fontsize=7, loc="outside lower center", ncols=2)
+        figure.legend(fontsize=7, loc="outside lower center", ncols=columns)
     failed = sum(row.error is None for row in table.rows)
     if failed:
         axes.text(

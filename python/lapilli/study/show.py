@@ -59,14 +59,23 @@ def report(measurement: Measurement, done: int, all_of_them: int) -> None:
     print(f"[{done}/{all_of_them}] {measurement.setting}: {said}", file=sys.stderr, flush=True)
 
 
+def short_names(paths: list[str]) -> list[str]:
+    """The last members of paths, as many as tell them apart."""
+    parts = [path.split(".") for path in paths]
+    length = 1
+    while len({".".join(one[-length:]) for one in parts}) < len(set(paths)):
+        length += 1
+    return [".".join(one[-length:]) for one in parts]
+
+
 def print_table(table: Table) -> None:
     """One line a setting, * marks the Pareto front; then why some settings have no error."""
     from rich.console import Console
     from rich.table import Table as Lines
 
     lines = Lines()
-    for path, _ in table.rows[0].setting.changes:
-        lines.add_column(path, no_wrap=True)
+    for name in short_names([path for path, _ in table.rows[0].setting.changes]):
+        lines.add_column(name, no_wrap=True)
     for title in ("RMS error", "largest", "CPU s", "spread", "steps", "points", "MB", ""):
         lines.add_column(title, justify="right", no_wrap=True)
     reasons: dict[str, int] = {}

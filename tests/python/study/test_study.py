@@ -12,6 +12,7 @@ from lapilli.study import LocalPool, Setting, parse_variation, settings_of, trad
 from lapilli.study.measure import Cost, Measurement, reason_of_blow_up
 from lapilli.study.reference import interpolate, reference_of
 from lapilli.study.runner import InProcess
+from lapilli.study.show import short_names
 from lapilli.study.table import Table
 
 UNIT = lp.Thermal(density=1, specific_heat=1, conductivity=1)
@@ -24,6 +25,12 @@ def test_variations_are_parted_outside_brackets() -> None:
     for wrong in ("grid.cell", "=1", "grid.cell=", "grid.cell=1,,2"):
         with pytest.raises(ValueError, match="path=value"):
             parse_variation(wrong)
+
+
+def test_columns_are_named_by_what_tells_them_apart() -> None:
+    assert short_names(["grid.cell", "peridynamics.heat.laplacian"]) == ["cell", "laplacian"]
+    both = ["peridynamics.heat.horizon", "peridynamics.flow.horizon"]
+    assert short_names(both) == ["heat.horizon", "flow.horizon"]
 
 
 def test_every_combination_is_a_setting(ring: lp.Scene) -> None:
