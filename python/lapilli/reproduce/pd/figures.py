@@ -52,7 +52,7 @@ def draw_middle(axes: Any, state: FluidState, label: str, rows: int) -> None:
 
 def draw_cavity(folder: Path, plans: Mapping[float, cavity.Plan]) -> Path:
     """Temperature, speed, mid-lines and wall Nusselt number beside finite differences (lines) and
-    the peaks of de Vahl Davis (crosses)."""
+    the peaks of de Vahl Davis (crosses, dashed)."""
     figure, axes = new_figure(len(plans), 6, width=3.4, height=3.2)
     for line, (rayleigh, plan) in zip(axes, plans.items(), strict=True):
         seen = cavity.measured(rayleigh, plan.rows, plan.end)
@@ -91,7 +91,7 @@ def draw_profiles(axes: Any, rayleigh: float, seen: cavity.Measured) -> None:
     axes[3].plot(right.y, right.local_nusselt(), "k-", lw=0.8)
     axes[3].plot(cavity.WALL, seen.local, ".")
     axes[3].axhline(cavity.LARGEST_LOCAL[rayleigh], color="r", lw=0.6, ls="--")
-    axes[3].set_title("Nu on the hot wall (dashed: its largest)")
+    axes[3].set_title("Nu on the hot wall")
     axes[3].set_xlabel("y / l")
 
 
