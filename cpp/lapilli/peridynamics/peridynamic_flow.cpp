@@ -245,7 +245,9 @@ void PeridynamicFlow<Dim>::update_density(Index task, double step_size) {
       add_wall_velocity(*walls_, families_, rows_.data(), weights, i, sums);
       closest = std::min(closest, sums.least_squared);
     } else if (walls_slide_) {
-      leave_out_walls(families_, rows_.data(), weights, i, sums);
+      // The two fields need the shear along a surface that runs.
+      const bool stays = !two_field_ && !walls_->walls()[walls_->wall(i)].settings.moves;
+      leave_out_walls(families_, rows_.data(), weights, i, stays, sums);
     }
     update_point(i, sums, step_size);
     if (dissipation_ && fluid(i)) {

@@ -49,16 +49,17 @@ void add_wall_velocity(const WallSurface& walls, const Families& families, const
 
 template <int Dim>
 void leave_out_walls(const Families& families, const double* rows, const double* bond_weight,
-                     Index point, BondSums<Dim>& sums) {
+                     Index point, bool stays, BondSums<Dim>& sums) {
   const double* own = rows + point * flow_row_size;
-  for (Index k = families.wall_begin(point); k < families.end(point); ++k) {
+  sums.gradient.setZero();
+  for (Index k = families.begin(point); k < families.wall_begin(point); ++k) {
     const double* other = rows + families.neighbour(k) * flow_row_size;
     Vec<Dim> bond, relative;
     for (int d = 0; d < Dim; ++d) {
       bond[d] = other[d] - own[d];
-      relative[d] = other[4 + d] - own[4 + d];
+      relative[d] = other[4 + d] - (stays ? 0.0 : own[4 + d]);
     }
-    sums.gradient -= bond_weight[k - families.begin(point)] * relative * bond.transpose();
+    sums.gradient += bond_weight[k - families.begin(point)] * relative * bond.transpose();
   }
 }
 
@@ -75,12 +76,12 @@ double viscous_heating(const WallSurface& walls, const Families& families, const
   return 0.5 * viscosity * (gradient + gradient.transpose()).squaredNorm();
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                           \
-  template void add_wall_velocity<Dim>(const WallSurface&, const Families&, const double*, \
-                                       const double*, Index, BondSums<Dim>&);              \
-  template void leave_out_walls<Dim>(const Families&, const double*, const double*, Index, \
-                                     BondSums<Dim>&);                                      \
-  template double viscous_heating<Dim>(const WallSurface&, const Families&, const double*, \
+#define LAPILLI_INSTANTIATE(Dim)                                                                 \
+  template void add_wall_velocity<Dim>(const WallSurface&, const Families&, const double*,       \
+                                       const double*, Index, BondSums<Dim>&);                    \
+  template void leave_out_walls<Dim>(const Families&, const double*, const double*, Index, bool, \
+                                     BondSums<Dim>&);                                            \
+  template double viscous_heating<Dim>(const WallSurface&, const Families&, const double*,       \
                                        const double*, Index, const BondSums<Dim>&, double);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

@@ -14,10 +14,12 @@ void add_wall_velocity(const WallSurface& walls, const Families& families, const
                        const double* bond_weight, Index point, BondSums<Dim>& sums);
 
 /// Leave the motion of other walls out of the velocity gradient of a wall point: walls that slide
-/// along each other neither thin nor press what lies between them. `sums` are those of `sum_bonds`.
+/// along each other neither thin nor press what lies between them. Nor does a surface that runs
+/// while its points stay (`stays`): of it only the fluid's own velocity counts. `sums` are those of
+/// `sum_bonds`.
 template <int Dim>
 void leave_out_walls(const Families& families, const double* rows, const double* bond_weight,
-                     Index point, BondSums<Dim>& sums);
+                     Index point, bool stays, BondSums<Dim>& sums);
 
 /// Viscous heating of a fluid point, 2 mu e : e with e the symmetric velocity gradient, W/m^3. The
 /// gradient sees walls as above, and so keeps linear velocities up to them; `sums` are those of

@@ -80,11 +80,11 @@ TEST_CASE("a lid over a long closed box drives the return flow of lubrication") 
   Case run(layout, heat, flow, walls, fluid);
   const auto middle = [&](const Vec<2>& x) { return std::abs(x[0] - 1.5) < 0.3; };
   run.simulation->run_until(0.3);  // exp(-4 pi^2 t) of the start is left
-  // u = U (3 s^2 - 2 s): nothing passes through a section. 2 % measured, most of it sound that
+  // u = U (3 s^2 - 2 s): nothing passes through a section. 1 % measured, most of it sound that
   // sloshes from end to end; 29 % when walls that slide along each other thin what is between.
   CHECK(velocity_error(
             run, [](const Vec<2>& x) { return Vec<2>(x[1] * (3.0 * x[1] - 2.0), 0.0); }, middle) <
-        0.03);
+        0.02);
   // mu (u')^2, its integral over the height 4 U^2 / h, grows at the walls.
   const PointArray& heating = *run.flow->dissipation();
   double found = 0.0, height = 0.0;
