@@ -57,6 +57,7 @@ StepReport Momentum<Dim>::advance(const Step& step) {
   stop_if_broken(sums);
 
   flows_.plastic += sums.plastic;
+  flows_.expansion += sums.expansion;
   flows_.friction -= nodes.friction;
   flows_.impact -= nodes.impact;
   flows_.transfer += (kinetic_ - nodes.kinetic_before) + (nodes.kinetic_after - sums.kinetic);
@@ -212,7 +213,7 @@ void Momentum<Dim>::save(Archive& archive) const {
   }
   const double numbers[] = {flows_.plastic,  flows_.friction, flows_.strain, flows_.impact,
                             flows_.transfer, initial_energy_, kinetic_,      speed_,
-                            wave_speed_,     drift_,          total_mass_};
+                            wave_speed_,     drift_,          total_mass_,   flows_.expansion};
   archive.write("momentum/account", std::span<const double>(numbers));
   archive.write("momentum/impulse/gravity", std::span<const double>(flows_.gravity.data(), 3));
   archive.write("momentum/impulse/walls", std::span<const double>(flows_.walls.data(), 3));
@@ -243,7 +244,7 @@ void Momentum<Dim>::load(const Archive& archive) {
   if (loads_) {
     loads_->load(archive, "momentum/loads");
   }
-  double numbers[11];
+  double numbers[12];
   archive.read("momentum/account", std::span<double>(numbers));
   flows_.plastic = numbers[0];
   flows_.friction = numbers[1];
@@ -256,6 +257,7 @@ void Momentum<Dim>::load(const Archive& archive) {
   wave_speed_ = numbers[8];
   drift_ = numbers[9];
   total_mass_ = numbers[10];
+  flows_.expansion = numbers[11];
   archive.read("momentum/impulse/gravity", std::span<double>(flows_.gravity.data(), 3));
   archive.read("momentum/impulse/walls", std::span<double>(flows_.walls.data(), 3));
   archive.read("momentum/impulse/initial", std::span<double>(initial_momentum_.data(), 3));

@@ -49,7 +49,8 @@ class Momentum final : public Physics, public HasSurface {
   /// Everything that has passed through an account since the start.
   struct Flows {
     double plastic = 0.0, friction = 0.0, impact = 0.0, transfer = 0.0;  // J, taken out
-    double strain = 0.0;  // J, taken from the nodes and not given to the points
+    double strain = 0.0;     // J, taken from the nodes and not given to the points
+    double expansion = 0.0;  // J, given by free strain
     Vec3 gravity = Vec3::Zero(), walls = Vec3::Zero();  // N s, given
   };
 

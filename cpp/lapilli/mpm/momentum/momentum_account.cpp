@@ -123,6 +123,9 @@ std::vector<Ledger> Momentum<Dim>::ledgers() const {
                   {"transfer", -flows_.transfer},
                   {"strain transfer", -flows_.strain}},
                  kinetic_});
+  if (data_.free_strain) {
+    all.back().entries.push_back({"expansion", flows_.expansion});
+  }
   if (loads_) {
     std::ranges::copy(loads_->work_entries(), std::back_inserter(all.back().entries));
   }
@@ -156,6 +159,7 @@ std::vector<std::pair<std::string, double>> Momentum<Dim>::diagnostics() const {
           {"wall impact", flows_.impact},
           {"transfer loss", flows_.transfer},
           {"strain transfer loss", flows_.strain},
+          {"expansion work", flows_.expansion},
           {"load work", loads_ ? loads_->work() : 0.0}};
 }
 

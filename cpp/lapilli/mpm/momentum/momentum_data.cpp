@@ -92,6 +92,7 @@ PointSums& PointSums::operator+=(const PointSums& other) {
   kinetic += other.kinetic;
   plastic += other.plastic;
   strain_work += other.strain_work;
+  expansion += other.expansion;
   speed = std::max(speed, other.speed);
   wave_speed = std::max(wave_speed, other.wave_speed);
   least_volume = std::min(least_volume, other.least_volume);

@@ -79,6 +79,7 @@ struct PointSums {
   double kinetic = 0.0;       // J, affine part included
   double plastic = 0.0;       // J dissipated in this step
   double strain_work = 0.0;   // J of the stress on the strain of this step
+  double expansion = 0.0;     // J given by the free strain of this step
   double speed = 0.0;         // m/s, largest of point and of its place
   double wave_speed = 0.0;    // m/s, largest
   double least_volume = 1.0;  // least determinant of the incremental deformation

@@ -31,7 +31,8 @@ void store_rows(double* to, int stride, Quad value) {
 
 /// Running sum, least and largest of rows, in a fixed order.
 struct Lanes {
-  Quad plastic = all(0.0), strain = all(0.0), least = all(1.0), largest = all(0.0);
+  Quad plastic = all(0.0), strain = all(0.0), expansion = all(0.0);
+  Quad least = all(1.0), largest = all(0.0);
 
   void add(Quad work, Quad strain_work, Quad volume, Quad ratio) {
     plastic += work;
@@ -45,10 +46,13 @@ struct Lanes {
     least[0] = std::min(volume, least[0]);
     largest[0] = std::max(ratio, largest[0]);
   }
+  void add_expansion(Quad work) { expansion += work; }
+  void add_expansion(double work) { expansion[0] += work; }
   StressSums total() const {
     StressSums sums;
     sums.plastic = (plastic[0] + plastic[1]) + (plastic[2] + plastic[3]);
     sums.strain_work = (strain[0] + strain[1]) + (strain[2] + strain[3]);
+    sums.expansion = (expansion[0] + expansion[1]) + (expansion[2] + expansion[3]);
     sums.least_volume = std::min({least[0], least[1], least[2], least[3]});
     sums.wave_ratio = std::max({largest[0], largest[1], largest[2], largest[3]});
     return sums;
@@ -157,6 +161,7 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
       s[c] = load_rows<Real>(stress + c, components);
     }
     const Real free_strain = rows.free_strain ? load<Real>(rows.free_strain + row) : as<Real>(0.0);
+    const Real trace = s[0] + s[1] + s[2];  // no rotation changes it
     Real strain[components];
     const Real growth = deform(m, block, row, free_strain, s, strain);
     const Real before = load<Real>(rows.volume + row);
@@ -182,6 +187,10 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
       strained += s[c] * strain[c];
     }
     store(rows.volume + row, volume);
+    if (rows.free_strain) {
+      // Elastic energy that strain alone did not bring: the mean stress on the free strain.
+      lanes.add_expansion(-0.25 * (before + volume) * (trace + s[0] + s[1] + s[2]) * free_strain);
+    }
     lanes.add(work, 0.25 * (before + volume) * strained, growth,
               volume / load<Real>(rows.mass + row));
   });

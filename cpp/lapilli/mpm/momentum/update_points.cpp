@@ -87,6 +87,7 @@ void deform_block(MomentumData<Dim>& data, const DeformationBlock<Dim>& block, I
     const StressSums found = update_stress<Dim>(material, block, at, first, last);
     sums.plastic += found.plastic;
     sums.strain_work += found.strain_work;
+    sums.expansion += found.expansion;
     sums.least_volume = std::min(sums.least_volume, found.least_volume);
     sums.wave_speed = std::max(sums.wave_speed, material.wave_modulus * found.wave_ratio);
     first = last;
