@@ -210,6 +210,7 @@ void fit_corners(const Grid<Dim>& grid, const NodalSums<Dim>& sums, NodalAreas<D
     ramp[k] = smoothstep((turn_of(agreement) - ramp_from) / (ramp_to - ramp_from));
     target[k] = vectors.raw(areas.node[k]).norm();
   });
+  areas.corner.assign(areas.node.size(), 0.0);
   std::vector<int> row_of(sums.area_vector.size(), -1);
   std::vector<Index> corners;
   for (Index k = 0; k < count; ++k) {
@@ -242,10 +243,12 @@ void fit_corners(const Grid<Dim>& grid, const NodalSums<Dim>& sums, NodalAreas<D
     });
   }
   for_each_corner([&](Index c, Index k) {
-    const Vec<Dim> w =
-        areas.normal[k] + guard(vectors, areas.node[k]) * (fitted[c] - areas.normal[k]);
-    areas.area[k] = w.dot(vectors.raw(areas.node[k]));
+    const double guarded = guard(vectors, areas.node[k]);
+    areas.weight[k] = areas.normal[k] + guarded * (fitted[c] - areas.normal[k]);
+    areas.area[k] = areas.weight[k].dot(areas.vector[k]);
+    areas.corner[k] = guarded * ramp[k];
   });
+  areas.trust = std::move(trust);
 }
 
 template <>

@@ -70,6 +70,24 @@ double NodalAreas<Dim>::negative_share() const {
 }
 
 template <int Dim>
+void NodalAreas<Dim>::append(const NodalAreas& other, std::size_t row) {
+  const auto copy = [row](auto& to, const auto& from) {
+    if (!from.empty()) {
+      to.push_back(from[row]);
+    }
+  };
+  copy(node, other.node);
+  copy(area, other.area);
+  copy(positive, other.positive);
+  copy(normal, other.normal);
+  copy(position, other.position);
+  copy(vector, other.vector);
+  copy(weight, other.weight);
+  copy(trust, other.trust);
+  copy(corner, other.corner);
+}
+
+template <int Dim>
 std::vector<Index> surface_nodes(const Grid<Dim>& grid, std::span<const unsigned char> outside,
                                  std::span<const double> fraction) {
   const Index count = grid.node_count();
@@ -146,15 +164,18 @@ NodalAreas<Dim> nodal_normal_areas(const Grid<Dim>& grid, const NodalSums<Dim>& 
   areas.area.resize(areas.node.size());
   areas.normal.resize(areas.node.size());
   areas.position.resize(areas.node.size());
+  areas.vector.resize(areas.node.size());
   for (Index k = 0; k < count; ++k) {
     const Index node = areas.node[k];
     const Vec<Dim> slope = gradient(node);
     const double steepness = slope.norm();
     // A gradient of rounding size, as in the middle of a thin plate, has no direction.
     areas.normal[k] = steepness > 1e-12 ? Vec<Dim>(-slope / steepness) : Vec<Dim>::Zero();
-    areas.area[k] = areas.normal[k].dot(sums.area_vector[node]);
+    areas.vector[k] = sums.area_vector[node];
+    areas.area[k] = areas.normal[k].dot(areas.vector[k]);
     areas.position[k] = projected(grid, node, areas.normal[k], fraction[node], steepness);
   }
+  areas.weight = areas.normal;
   if (corner_fit && Dim > 1) {
     fit_corners(grid, sums, areas);
   }

@@ -74,7 +74,14 @@ struct NodalAreas {
   std::vector<double> positive;  // m^(dim-1)
   std::vector<Vec<Dim>> normal;  // outward, unit or zero
   std::vector<Vec3> position;    // of the node projected to the surface, m
+  std::vector<Vec<Dim>> vector;  // a_I = closed integral of S n, m^(dim-1)
+  std::vector<Vec<Dim>> weight;  // area = weight . vector: the normal, but for corners
+  // By corner_fit, else empty: how alike the area vectors around are, and how far the weight is
+  // that of a corner, both from 0 to 1.
+  std::vector<double> trust, corner;
 
+  /// Add a node of other areas.
+  void append(const NodalAreas& other, std::size_t row);
   /// Sum of the negative areas over the sum of all.
   double negative_share() const;
 };

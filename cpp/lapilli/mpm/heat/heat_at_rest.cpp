@@ -77,7 +77,9 @@ void HeatAtRest<Dim>::assemble() {
     HeatSurface<Dim> surface(points_, problem_);
     const NodalAreas<Dim> areas = surface.areas(points_, coefficients_, sums);
     negative_share_ = areas.negative_share();
-    laws_.assign(areas, grid.cell_size());
+    laws_.assign(grid, areas, [&] {
+      return surface_places<Dim>(grid, points_, problem_.shape, coefficients_.half_width, areas);
+    });
     laws_.require_all_used();
     if (laws_.has_held_temperature()) {
       const auto is_active = [&](Index node) { return operators.active[node] != 0; };

@@ -43,7 +43,11 @@ class HeatAtRest final : public Physics, public HasSurface {
   void conduct(double step);
   void exchange_with_surroundings(const Step& step);
   void hand_back_to_points();
+  using LawRates = std::vector<std::vector<double>>;  // by law and node
+
   StepReport advance_implicitly(const Step& step);
+  /// Book the heat that nodes were `given`, that of shared nodes as each law gave `heat`.
+  void book_laws(std::vector<double>& given, const LawRates& heat);
 
   void require_finite() const;
   bool carries_points() const { return transfer_ != HeatTransfer::kept; }

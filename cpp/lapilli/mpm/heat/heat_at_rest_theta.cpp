@@ -9,6 +9,27 @@
 namespace lapilli {
 
 template <int Dim>
+void HeatAtRest<Dim>::book_laws(std::vector<double>& given, const LawRates& heat) {
+  std::vector<int> laws_left(given.size(), 0);
+  for (const auto& n : laws_.nodes()) {
+    for (const Index place : n.node) {
+      ++laws_left[place];
+    }
+  }
+  for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
+    const auto& n = laws_.nodes()[law];
+    double sum = 0.0;
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      const Index place = n.node[k];
+      const double part = --laws_left[place] == 0 ? given[place] : heat[law][k];
+      given[place] -= part;
+      sum += part;
+    }
+    laws_.book(law, sum);
+  }
+}
+
+template <int Dim>
 StepReport HeatAtRest<Dim>::advance_implicitly(const Step& step) {
   // The first two steps are taken as backward Euler halves, which share the matrix of a
   // Crank-Nicolson step and damp what the start excites (Rannacher 1984).
@@ -53,9 +74,21 @@ StepReport HeatAtRest<Dim>::advance_implicitly(const Step& step) {
         }
       });
     };
+    LawRates of_laws;  // J over the step
+    for (const auto& n : laws_.nodes()) {
+      of_laws.emplace_back(n.node.size(), 0.0);
+    }
+    const auto add_rates = [&](double factor) {
+      for (std::size_t law = 0; law < of_laws.size(); ++law) {
+        for (std::size_t k = 0; k < of_laws[law].size(); ++k) {
+          of_laws[law][k] += factor * laws_.nodes()[law].rate[k];
+        }
+      }
+    };
     trial = temperature_;
     if (weight < 1.0) {
       add_laws(begin, (1.0 - weight) * size, known);
+      add_rates((1.0 - weight) * size);
       add_sources(begin, (1.0 - weight) * size, sources);
     }
     double scale = 0.0, change = 0.0;
@@ -91,15 +124,12 @@ StepReport HeatAtRest<Dim>::advance_implicitly(const Step& step) {
     report.residual = std::max(report.residual, scale > 0.0 ? change / scale : 0.0);
     add_sources(begin + size, weight * size, sources);
     // A law gave its nodes what they took up beyond conduction and sources: exact where a stiff law
-    // leaves a small difference of large rates.
+    // leaves a small difference of large rates. Where laws share a node, each gave by its rate and
+    // the last one the rest.
     balance([&](Index place, double heat) { residual[place] = heat - sources[place]; });
-    for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
-      double heat = 0.0;
-      for (const Index place : laws_.nodes()[law].node) {
-        heat += residual[place];
-      }
-      laws_.book(law, heat);
-    }
+    laws_.evaluate(trial, begin + size);
+    add_rates(weight * size);
+    book_laws(residual, of_laws);
     if (source_) {
       source_->book(std::accumulate(sources.begin(), sources.end(), 0.0));
     }
@@ -108,7 +138,8 @@ StepReport HeatAtRest<Dim>::advance_implicitly(const Step& step) {
   return report;
 }
 
-#define LAPILLI_INSTANTIATE(Dim) \
+#define LAPILLI_INSTANTIATE(Dim)                                                   \
+  template void HeatAtRest<Dim>::book_laws(std::vector<double>&, const LawRates&); \
   template StepReport HeatAtRest<Dim>::advance_implicitly(const Step& step);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

@@ -67,29 +67,30 @@ bool HeatLaws<Dim>::has_constant_slope() const {
 }
 
 template <int Dim>
-void HeatLaws<Dim>::assign(const NodalAreas<Dim>& areas, double cell_size) {
+void HeatLaws<Dim>::assign(const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
+                           const std::function<std::vector<SurfacePlace<Dim>>()>& places) {
   for (Nodes& nodes : nodes_) {
     nodes.node.clear();
     nodes.area.clear();
     nodes.normal.clear();
     nodes.position.clear();
   }
-  const double slack = 0.25 * cell_size;  // the projection is good to a fraction of a cell
-  for (std::size_t k = 0; k < areas.node.size(); ++k) {
-    for (std::size_t law = 0; law < laws_.size(); ++law) {
-      const Shape* region = region_of(laws_[law]);
-      if (region == nullptr || covers(*region, areas.position[k], slack)) {
-        // Only a flux that does not depend on the temperature may act on negative areas.
-        const auto* flux = std::get_if<PrescribedFlux>(&laws_[law]);
-        const bool is_signed = flux != nullptr && !flux->value.is_function();
-        const double area = is_signed ? areas.area[k] : areas.positive[k];
-        if (area != 0.0) {
-          nodes_[law].node.push_back(areas.node[k]);
-          nodes_[law].area.push_back(area);
-          nodes_[law].normal.push_back(areas.normal[k]);
-          nodes_[law].position.push_back(areas.position[k]);
-        }
-        break;
+  std::vector<const Shape*> regions;
+  for (const HeatBoundary& law : laws_) {
+    regions.push_back(region_of(law));
+  }
+  const auto parts = divide_surface<Dim>(grid, areas, places, regions);
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    // Only a flux that does not depend on the temperature may act on negative areas.
+    const auto* flux = std::get_if<PrescribedFlux>(&laws_[law]);
+    const bool is_signed = flux != nullptr && !flux->value.is_function();
+    for (const SurfacePart<Dim>& part : parts[law]) {
+      const double area = part.share * (is_signed ? areas.area : areas.positive)[part.row];
+      if (area != 0.0) {
+        nodes_[law].node.push_back(areas.node[part.row]);
+        nodes_[law].area.push_back(area);
+        nodes_[law].normal.push_back(areas.normal[part.row]);
+        nodes_[law].position.push_back(areas.position[part.row]);
       }
     }
   }

@@ -8,6 +8,7 @@
 #include "lapilli/core/ledger.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
 #include "lapilli/mpm/nodal_surface.hpp"
+#include "lapilli/mpm/surface_regions.hpp"
 #include "lapilli/mpm/surface_view.hpp"
 
 namespace lapilli {
@@ -46,8 +47,10 @@ class HeatLaws {
   bool has_constant_slope() const;  // besides, no coefficient tabulated in time
   const std::vector<Nodes>& nodes() const { return nodes_; }
 
-  /// Give each node of the surface to the first law whose region covers its place.
-  void assign(const NodalAreas<Dim>& areas, double cell_size);
+  /// Give each law the part of the surface that its region has; `places` is asked only where there
+  /// are regions.
+  void assign(const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
+              const std::function<std::vector<SurfacePlace<Dim>>()>& places);
   /// Place the probes of held temperatures, one cell below the surface, among the nodes that are
   /// active: a thin plate has fewer there. `conductivity` is the nodal n.k.n (W/(m K)).
   void place_probes(const Grid<Dim>& grid, const std::function<bool(Index)>& is_active,

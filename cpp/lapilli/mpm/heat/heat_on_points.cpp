@@ -111,12 +111,16 @@ void HeatOnPoints<Dim>::find_surface() {
   }
   surface_found_ = now;
   if (problem_.settings.method == FluxMethod::particle) {
-    laws_.assign(particle_areas(points_, problem_), problem_.grid.cell_size());
+    const NodalAreas<Dim> areas = particle_areas(points_, problem_);
+    laws_.assign(problem_.grid, areas, [&] { return projected_places<Dim>(areas); });
     return;
   }
   const NodalAreas<Dim> areas = surface_->areas(points_, coefficients_, grid_.sums);
   negative_share_ = areas.negative_share();
-  laws_.assign(areas, problem_.grid.cell_size());
+  laws_.assign(problem_.grid, areas, [&] {
+    return surface_places<Dim>(problem_.grid, points_, problem_.shape, coefficients_.half_width,
+                               areas);
+  });
   if (laws_.has_held_temperature()) {
     const auto is_active = [&](Index node) { return grid_.capacity[node] > 0.0; };
     laws_.place_probes(problem_.grid, is_active,

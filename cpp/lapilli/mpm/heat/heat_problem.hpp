@@ -8,8 +8,8 @@
 #include "lapilli/materials/thermal.hpp"
 #include "lapilli/mpm/grid.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
-#include "lapilli/mpm/heat/wall_contact.hpp"
 #include "lapilli/mpm/nodal_surface.hpp"
+#include "lapilli/mpm/wall_contact.hpp"
 #include "lapilli/mpm/weights.hpp"
 
 namespace lapilli {

@@ -126,11 +126,13 @@ NodalAreas<Dim> paper_areas(const Points& points, const HeatProblem<Dim>& proble
       const double length = sums.area_vector[node].norm();
       areas.normal.push_back(length > 0.0 ? Vec<Dim>(sums.area_vector[node] / length)
                                           : Vec<Dim>::Zero());
+      areas.vector.push_back(area[node] * areas.normal.back());
       Vec3 position = Vec3::Zero();
       position.template head<Dim>() = grid.node_position(node);
       areas.position.push_back(position);
     }
   }
+  areas.weight = areas.normal;
   areas.positive = areas.area;  // the paper keeps negative areas under every law
   return areas;
 }
@@ -179,10 +181,12 @@ NodalAreas<Dim> face_areas(const Grid<Dim>& grid, const Points& points,
     areas.area.push_back(entry.area);
     const double length = entry.normal.norm();
     areas.normal.push_back(length > 0.0 ? Vec<Dim>(entry.normal / length) : Vec<Dim>::Zero());
+    areas.vector.push_back(entry.normal);
     Vec3 position = Vec3::Zero();
     position.template head<Dim>() = grid.node_position(node);
     areas.position.push_back(position);
   }
+  areas.weight = areas.normal;
   areas.positive = areas.area;
   return areas;
 }

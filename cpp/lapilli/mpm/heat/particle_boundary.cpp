@@ -68,10 +68,12 @@ NodalAreas<Dim> particle_areas(const Points& points, const HeatProblem<Dim>& pro
     areas.node.push_back(row);
     areas.area.push_back(std::pow(size, Dim - 1) * normal.cwiseAbs().sum());
     areas.normal.push_back(normal);
+    areas.vector.push_back(areas.area.back() * normal);
     Vec3 position = Vec3::Zero();
     position.template head<Dim>() = x + 0.5 * size * open;
     areas.position.push_back(position);
   }
+  areas.weight = areas.normal;
   areas.positive = areas.area;
   return areas;
 }

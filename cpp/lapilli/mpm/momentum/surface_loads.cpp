@@ -4,6 +4,7 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/momentum/cell_sums.hpp"
+#include "lapilli/mpm/surface_regions.hpp"
 
 #pragma GCC diagnostic ignored "-Wpsabi"
 
@@ -12,6 +13,16 @@ namespace {
 
 const Shape* region_of(const MomentumBoundary& law) {
   return std::visit([](const auto& l) { return l.region ? &*l.region : nullptr; }, law);
+}
+
+constexpr int smoothing = 2;  // passes over the fraction, for its normals
+
+ContactFaces contact_faces(const Walls& walls) {
+  ContactFaces faces;
+  for (std::size_t face = 0; face < walls.size(); ++face) {
+    faces[face] = !walls[face].is_open();
+  }
+  return faces;
 }
 
 /// sum V S and sum V grad S of the points of one strip.
@@ -50,6 +61,7 @@ SurfaceLoads<Dim>::SurfaceLoads(const MomentumData<Dim>& data, const MomentumPro
       nodes_(laws_.size()),
       work_(laws_.size(), 0.0),
       impulse_(laws_.size(), Vec3::Zero()),
+      contact_(data.grid, contact_faces(data.walls)),
       outside_(data.grid, static_cast<int>(problem.bodies.size())),
       version_(data.points.version()) {
   for (const MomentumBoundary& law : laws_) {
@@ -92,33 +104,45 @@ void SurfaceLoads<Dim>::project_surface(const MomentumData<Dim>& data) {
 }
 
 template <int Dim>
+NodalAreas<Dim> SurfaceLoads<Dim>::free_areas(const Grid<Dim>& grid) const {
+  if (!contact_.any()) {
+    return nodal_normal_areas(grid, sums_, surface_nodes(grid, outside_.flags(), sums_.fraction),
+                              smoothing, true);
+  }
+  const NodalSums<Dim> free = contact_.without_contact(sums_);
+  const std::vector<unsigned char> outside = contact_.without_walls(outside_.flags());
+  return nodal_normal_areas(grid, free, surface_nodes(grid, std::span(outside), sums_.fraction),
+                            smoothing, true);
+}
+
+template <int Dim>
 void SurfaceLoads<Dim>::find_surface(const MomentumData<Dim>& data) {
   project_surface(data);
   if (data.points.version() != version_) {
     outside_.follow(data.points);
     version_ = data.points.version();
   }
-  const NodalAreas<Dim> areas = nodal_normal_areas(
-      data.grid, sums_, surface_nodes(data.grid, outside_.flags(), sums_.fraction), 2, true);
-  for (Nodes& nodes : nodes_) {
+  const NodalAreas<Dim> areas = free_areas(data.grid);
+  std::vector<const Shape*> regions;
+  for (const MomentumBoundary& law : laws_) {
+    regions.push_back(region_of(law));
+  }
+  const auto parts = divide_surface<Dim>(
+      data.grid, areas,
+      [&] {
+        return surface_places<Dim>(data.grid, data.points, data.shape, data.half_widths, areas);
+      },
+      regions);
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    Nodes& nodes = nodes_[law];
     nodes = {};
-  }
-  const double slack = 0.25 * data.grid.cell_size();
-  for (std::size_t k = 0; k < areas.node.size(); ++k) {
-    for (std::size_t law = 0; law < laws_.size(); ++law) {
-      const Shape* region = region_of(laws_[law]);
-      if (region == nullptr || covers(*region, areas.position[k], slack)) {
-        Nodes& nodes = nodes_[law];
-        nodes.node.push_back(areas.node[k]);
-        nodes.area_vector.push_back(sums_.area_vector[areas.node[k]]);
-        nodes.area.push_back(areas.area[k]);
-        nodes.normal.push_back(areas.normal[k]);
-        nodes.position.push_back(areas.position[k]);
-        break;
-      }
+    for (const SurfacePart<Dim>& part : parts[law]) {
+      nodes.node.push_back(areas.node[part.row]);
+      nodes.area_vector.push_back(part.vector);
+      nodes.area.push_back(part.share * areas.area[part.row]);
+      nodes.normal.push_back(areas.normal[part.row]);
+      nodes.position.push_back(areas.position[part.row]);
     }
-  }
-  for (Nodes& nodes : nodes_) {
     nodes.value.resize(nodes.node.size());
     nodes.force.resize(nodes.node.size());
   }

@@ -7,13 +7,14 @@
 #include "lapilli/mpm/momentum/momentum_data.hpp"
 #include "lapilli/mpm/nodal_surface.hpp"
 #include "lapilli/mpm/surface_view.hpp"
+#include "lapilli/mpm/wall_contact.hpp"
 
 namespace lapilli {
 
 /// SurfaceLoads on free surfaces by the virtual flux of Yu & Zhao (2026), section 3.3.2, with nodal
 /// areas: a traction gives a node the force A_I t, a pressure -p a_I with the area vector a_I = sum
 /// V grad S, so that an even pressure and the even stress it causes balance to rounding at every
-/// node, whatever the surface.
+/// node, whatever the surface. What rests against a wall is no free surface.
 template <int Dim>
 class SurfaceLoads {
  public:
@@ -48,12 +49,14 @@ class SurfaceLoads {
   };
 
   void project_surface(const MomentumData<Dim>& data);
+  NodalAreas<Dim> free_areas(const Grid<Dim>& grid) const;
   void find_surface(const MomentumData<Dim>& data);
 
   std::vector<MomentumBoundary> laws_;
   std::vector<Nodes> nodes_;
   std::vector<double> work_;   // J, by law
   std::vector<Vec3> impulse_;  // N s, by law
+  WallContact<Dim> contact_;
   OutsideCells<Dim> outside_;
   Index version_;  // of the points that outside_ belongs to
   NodalSums<Dim> sums_;

@@ -29,6 +29,10 @@ class WallContact {
   /// uncovered. `outside` flags cells as found, `sums` are those of the body.
   void take_off(NodalAreas<Dim>& areas, const NodalSums<Dim>& sums,
                 std::span<const unsigned char> outside) const;
+  /// The sums of the body for loads: normals from the body and its images, and of area vectors on
+  /// and behind a wall no part that points into it. Nothing else changes, so that what acts along a
+  /// wall still balances the stress beside it.
+  NodalSums<Dim> without_contact(const NodalSums<Dim>& sums) const;
 
  private:
   /// Call body(axis, side, face, inward) for every wall: `face` is its layer of nodes, `inward` +1

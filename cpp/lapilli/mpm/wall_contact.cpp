@@ -1,4 +1,4 @@
-#include "lapilli/mpm/heat/wall_contact.hpp"
+#include "lapilli/mpm/wall_contact.hpp"
 
 #include <algorithm>
 
@@ -65,6 +65,20 @@ NodalSums<Dim> WallContact<Dim>::mirrored(const NodalSums<Dim>& sums) const {
 }
 
 template <int Dim>
+NodalSums<Dim> WallContact<Dim>::without_contact(const NodalSums<Dim>& sums) const {
+  NodalSums<Dim> free{mirrored(sums).fraction, sums.area_vector};
+  for_each_wall([&](int axis, int face, int inward) {
+    for (Index node = 0; node < grid_.node_count(); ++node) {
+      if (inward * (grid_.node_at(node)[axis] - face) <= 0) {
+        double& across = free.area_vector[node][axis];
+        across = inward * across < 0.0 ? 0.0 : across;
+      }
+    }
+  });
+  return free;
+}
+
+template <int Dim>
 double WallContact<Dim>::uncovered(Index node, int axis, int inward, const NodalSums<Dim>& sums,
                                    std::span<const unsigned char> outside) const {
   const auto at = grid_.node_at(node);
@@ -106,10 +120,9 @@ void WallContact<Dim>::take_off(NodalAreas<Dim>& areas, const NodalSums<Dim>& su
       }
     });
     if (!behind) {
-      kept.node.push_back(node);
-      kept.area.push_back(area + free);
-      kept.normal.push_back(normal.norm() > 0.0 ? Vec<Dim>(normal.normalized()) : normal);
-      kept.position.push_back(areas.position[k]);
+      kept.append(areas, k);
+      kept.area.back() = area + free;
+      kept.normal.back() = normal.norm() > 0.0 ? Vec<Dim>(normal.normalized()) : normal;
     }
   }
   kept.positive = non_negative_areas<Dim>(grid_, kept.node, kept.area);
