@@ -1,5 +1,6 @@
 #include "lapilli/scene/validate_peridynamics.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "lapilli/scene/place_errors.hpp"
@@ -33,9 +34,18 @@ void check_walls(const Scene& scene) {
 }
 
 void check_gravity(const Scene& scene) {
-  const std::size_t given = scene.peridynamics->flow->gravity.size();
+  const PeridynamicFlowSettings& flow = *scene.peridynamics->flow;
+  const std::size_t given = flow.gravity.size();
   require_at(given == 0 || given == scene.grid.lower.size(), scene, "peridynamics.flow.gravity",
              "has ", given, " numbers, the grid has dimension ", scene.grid.lower.size());
+  const bool pulls = std::any_of(flow.gravity.begin(), flow.gravity.end(),
+                                 [](double component) { return component != 0.0; });
+  const bool buoyant =
+      scene.peridynamics->heat && material_in<Newtonian>(scene.bodies[0])->expansion != 0.0;
+  require_at(!pulls || buoyant || flow.buoyancy == Buoyancy::full, scene,
+             "peridynamics.flow.gravity",
+             "does nothing: with buoyancy = \"reduced\" it acts by temperature and needs ",
+             "[peridynamics.heat] and an expansion of the newtonian material");
 }
 
 }  // namespace

@@ -120,6 +120,8 @@ TEST_CASE("mistakes in a peridynamic scene are named with place and number") {
              Contains("[peridynamics.heat] instead"));
   CHECK_THAT(refusal("gravity = [0, -7100]", "gravity = [0, 0, -7100]"),
              Contains("peridynamics.flow.gravity has 3 numbers"));
+  CHECK_THAT(refusal("expansion = 1\n", ""),
+             Contains("peridynamics.flow.gravity does nothing") && Contains("an expansion"));
   CHECK_THAT(refusal("temperature = 0.5\n",
                      "temperature = 0.5\nmotion = {kind = \"rotation\", "
                      "revolutions_per_second = 1}\n"),
