@@ -27,7 +27,7 @@ class Flow : public Physics {
   virtual double velocity_noise() const = 0;
   /// Least and greatest density / rho0 - 1 since the start.
   virtual std::pair<double, double> density_variation() const = 0;
-  /// Least distance of a fluid point from any other since the start, in spacings.
+  /// Least distance of a fluid point from any other since the start, in spacings; at most 1.
   virtual double smallest_spacing() const = 0;
   virtual Index searches() const = 0;
 };

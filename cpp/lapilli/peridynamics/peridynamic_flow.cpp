@@ -67,7 +67,8 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
       force_(points.size()),
       families_(points, weight_.horizon, settings.skin * walls_->spacing(), roles_of(*walls_)),
       least_density_(fluid.newtonian.density),
-      most_density_(fluid.newtonian.density) {
+      most_density_(fluid.newtonian.density),
+      smallest_spacing_(walls_->spacing()) {
   const auto rows = static_cast<std::size_t>(points.size());
   rows_.assign(rows * row_size, 0.0);
   gradient_.assign(two_field_ ? rows : 0, Mat<Dim>::Zero());

@@ -104,7 +104,7 @@ class PeridynamicFlow final : public Flow {
   std::vector<Mat<Dim>> gradient_, inverse_shape_;  // kept for two fields only
   std::vector<TaskRange> reach_;                    // pieces in which the families of a piece lie
   std::vector<double> piece_least_, piece_most_, piece_spacing_, piece_fastest_, piece_farthest_;
-  double least_density_, most_density_, smallest_spacing_ = 1e100;
+  double least_density_, most_density_, smallest_spacing_;
   bool started_ = false, fastest_known_ = false;
 };
 

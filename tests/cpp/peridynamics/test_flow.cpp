@@ -163,6 +163,7 @@ TEST_CASE("the sound speed follows what drives the flow") {
 
 TEST_CASE("a small cavity convects, keeps its books and its points apart") {
   Case run = natural_convection(square(16), 1e4);
+  REQUIRE(run.flow->smallest_spacing() == 1.0);
   run.simulation->run_until(0.12);
   run.simulation->fields();
   REQUIRE(std::abs(run.heat->ledgers()[0].residual()) < 1e-12);
