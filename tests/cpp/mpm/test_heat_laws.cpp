@@ -56,6 +56,46 @@ TEST_CASE("Regions share the whole surface, the first match winning") {
   CHECK(third == Approx(18.0).margin(1.5));
 }
 
+TEST_CASE("Laws that share a node keep the ledger closed and act as one where they are alike") {
+  for (const bool implicit : {false, true}) {
+    for (const HeatTransfer transfer : {HeatTransfer::kept, HeatTransfer::affine}) {
+      if (implicit && transfer != HeatTransfer::kept) {
+        continue;  // implicit steps need nodal temperatures
+      }
+      Trial<2> trial;
+      trial.layout.angle = 20.0;
+      trial.settings.transfer = transfer;
+      if (implicit) {
+        trial.settings.stepping = HeatStepping::theta;
+      }
+      Convection left = scenes::convection(0.7, 1.0);
+      left.region = left_of(0.3);
+      trial.settings.boundaries = {scenes::convection(0.7, 1.0)};
+      const std::vector<HeatBoundary> one = trial.settings.boundaries;
+      double difference[2];
+      for (const int part : {0, 1}) {
+        const double step = part == 0 ? 0.05 : 0.0125;
+        trial.settings.boundaries = one;
+        Simulation whole = trial.start(4.0, step);
+        whole.run_until(4.0);
+        trial.settings.boundaries = {left, one.front()};
+        Simulation parted = trial.start(4.0, step);
+        parted.run_until(4.0);
+        CHECK(std::abs(parted.ledgers().front().residual()) < 1e-12);
+        difference[part] = scenes::largest_difference(scenes::by_id(whole, "temperature"),
+                                                      scenes::by_id(parted, "temperature"));
+      }
+      CAPTURE(name_of(transfer), difference[0], difference[1]);
+      if (implicit) {
+        CHECK(difference[0] < 1e-12);
+      } else {  // laws one after the other: an error of the step, at shared nodes
+        CHECK(difference[0] < 2e-3);
+        CHECK(difference[1] < 0.3 * difference[0]);
+      }
+    }
+  }
+}
+
 TEST_CASE("A region that selects no surface is refused by name") {
   Trial<2> trial;
   trial.settings.boundaries = {flux(1.0), flux(1.0, left_of(0.0))};
