@@ -48,26 +48,17 @@ double second_moment(const AxisWeights<Dim, Shape>& weights, double h, int axis)
   return sum * h * h;
 }
 
-/// Factors that multiply the affine matrix of a point when it is projected: with APIC S (x_k - x)
-/// over the second moment (for hat functions, where that moment vanishes at nodes, their slope: the
-/// same number), with TPIC the lever itself.
+/// Factors that multiply the affine matrix of a point when it is projected: with TPIC the levers,
+/// with APIC these over the second moment (zero where a hat function meets a node: refused).
 template <VelocityTransfer transfer, int Dim, class Shape>
 void affine_factors(const AxisWeights<Dim, Shape>& weights, double h,
                     double (&factor)[Dim][Shape::support]) {
-  if constexpr (transfer == VelocityTransfer::apic && Shape::support == 2) {
+  levers(weights, h, factor);
+  if constexpr (transfer == VelocityTransfer::apic) {
     for (int axis = 0; axis < Dim; ++axis) {
+      const double inverse = 1.0 / second_moment(weights, h, axis);
       for (int k = 0; k < Shape::support; ++k) {
-        factor[axis][k] = weights.slope[axis][k];
-      }
-    }
-  } else {
-    levers(weights, h, factor);
-    if constexpr (transfer == VelocityTransfer::apic) {
-      for (int axis = 0; axis < Dim; ++axis) {
-        const double inverse = 1.0 / second_moment(weights, h, axis);
-        for (int k = 0; k < Shape::support; ++k) {
-          factor[axis][k] *= inverse;
-        }
+        factor[axis][k] *= inverse;
       }
     }
   }
