@@ -2661,7 +2661,7 @@ class PeridynamicFlow:
         smooths the pressure; at least 0
     shifting : float, default 0.1
         keeps points evenly spread; at least 0
-    courant : float, default 0.25
+    courant : float, default 0.5
         of spacing / sound speed; above 0 and at most 1
     viscous_step : float, default 0.25
         of spacing^2 / (dimension nu); above 0 and at most 1

@@ -41,7 +41,7 @@ struct PeridynamicFlowSettings {
   double stiffness_exponent = 7.0;         // of the equation of state
   double density_diffusion = 0.1;          // smooths the pressure; 0: none, as in the paper
   double shifting = 0.1;                   // keeps points evenly spread, away from neighbours
-  double courant = 0.25;                   // of spacing / sound speed
+  double courant = 0.5;                    // of spacing / sound speed
   double viscous_step = 0.25;              // of spacing^2 / (dimension nu)
   double skin = 0.3;                       // in spacings
   double largest_density_variation = 0.1;  // a run beyond it stops
