@@ -102,7 +102,7 @@ def draw_layers(folder: Path, layers: Mapping[str, benard.Layer]) -> Path:
         found = benard.grown(layer)
         map_of(one, found.state.position, found.state.temperature, 1 / layer.rows, span=(0, 1))
         draw_streamlines(one, found.state, layer)
-        one.set_title(f"{name}: {layer.title}; Nu {found.nusselt[-1]:.3f}, {found.rolls} rolls")
+        one.set_title(f"{name}: {layer.title}; Nu {found.nusselt[-1]:.3f}, rolls: {found.rolls}")
     return save(figure, folder / "pd_benard.png")
 
 
