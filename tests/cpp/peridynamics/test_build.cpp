@@ -128,7 +128,7 @@ TEST_CASE("absent physics is absent") {
   scene = scene_of(layout);
   scene.heat.reset();
   auto others = cavity::make_points(layout);
-  physics = build_peridynamics(*others, scene);
-  REQUIRE(physics.size() == 1);
-  REQUIRE(physics[0]->name() == "flow");
+  const auto flow = build_peridynamics(*others, scene);
+  REQUIRE(flow.size() == 1);
+  REQUIRE(flow[0]->name() == "flow");
 }
