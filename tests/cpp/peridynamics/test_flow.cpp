@@ -281,7 +281,8 @@ bool survives(PrintedEquations printed, double density_diffusion, double time) {
   auto heat = std::make_unique<PeridynamicHeat>(*points, walls, heat_settings, fluid);
   const PeridynamicHeat* warm = heat.get();
   physics.push_back(std::move(heat));
-  physics.push_back(make_flow(*points, walls, settings, fluid, warm, false, printed));
+  // The physics keep the walls, which must not outlive the points.
+  physics.push_back(make_flow(*points, std::move(walls), settings, fluid, warm, false, printed));
   Simulation simulation(std::move(points), std::move(physics), {1.0, 0.0});
   try {
     simulation.run_until(time);
