@@ -61,7 +61,8 @@ class PixelDistance {
  private:
   // Distance at a pixel centre; one row of pixels around the image, all outside, is held as well.
   double sample(int column, int row) const {
-    return distance_[static_cast<std::size_t>((row + 1) * (width_ + 2) + column + 1)];
+    const auto before = static_cast<std::size_t>(row + 1) * static_cast<std::size_t>(width_ + 2);
+    return distance_[before + static_cast<std::size_t>(column + 1)];
   }
 
   int width_, height_;
