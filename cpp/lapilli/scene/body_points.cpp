@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "lapilli/geometry/checks.hpp"
+#include "lapilli/geometry/join_small.hpp"
 #include "lapilli/geometry/sources.hpp"
 #include "lapilli/mpm/quasi_static/cut_fill.hpp"
+#include "lapilli/scene/build_peridynamics.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/scene_file.hpp"
 
@@ -33,12 +35,17 @@ FilledPoints filled_shape(const Scene& scene, const Body& body) {
     return fill_exactly(*placed_shape(body), lattice, dimension);
   }
   FillOptions options;
-  options.clip = body.clip;
+  const bool cut = conducts_at_rest(scene) && body.jitter == 0.0 && !body.random;
+  options.clip = body.clip || cut;
   options.jitter = body.jitter;
   options.random = body.random;
   options.seed = static_cast<std::uint64_t>(body.seed);
   options.within = grid_bounds(scene);
-  return fill(*body.shape, lattice, options, dimension);
+  FilledPoints points = fill(*body.shape, lattice, options, dimension);
+  if (cut) {
+    join_small(points, 0.5);  // explicit steps are limited by the smallest
+  }
+  return points;
 }
 
 FilledPoints given_points(const Scene& scene, const Body& body) {
