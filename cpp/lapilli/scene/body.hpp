@@ -36,7 +36,7 @@ struct Body {
   std::string points_file;                        // text rows: coordinates, volume
   std::optional<GivenPoints> points;              // from a program only
   std::optional<int> points_per_cell;             // automatic: two along each axis
-  bool clip = false;                              // cut boundary points to the shape
+  std::optional<bool> clip;                       // cut boundary points to the shape
   double jitter = 0.0;                            // of the points' spacing
   bool random = false;                            // anywhere in their cell instead of a lattice
   Index seed = 1;                                 // of jitter and random
@@ -63,7 +63,11 @@ struct Body {
               .absent("auto")
               .text("points in a full cell, the same number along each axis"),
           self.points_per_cell);
-    visit(Key("clip").text("cut the volume of boundary points to the shape"), self.clip);
+    visit(Key("clip")
+              .absent("auto")
+              .text("cut the volume of boundary points to the shape; absent: with quasi_static, "
+                    "unless jitter or random is asked for"),
+          self.clip);
     visit(Key("jitter").range(0.0, 0.5).text("random displacement, in spacings of the points"),
           self.jitter);
     visit(Key("random").text("points anywhere in the shape instead of on a lattice"), self.random);

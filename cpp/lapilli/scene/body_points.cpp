@@ -20,7 +20,7 @@ int points_along_axis(const Body& body, int dimension) {
 /// Implicit solvers want points that integrate cut cells exactly: the shape is filled where it
 /// stands, cell by cell of the grid.
 bool is_filled_in_place(const Scene& scene, const Body& body) {
-  return scene.quasi_static && body.clip && body.shape;
+  return scene.quasi_static && is_clipped(scene, body);
 }
 
 FilledPoints filled_shape(const Scene& scene, const Body& body) {
@@ -33,7 +33,7 @@ FilledPoints filled_shape(const Scene& scene, const Body& body) {
     return fill_exactly(*placed_shape(body), lattice, dimension);
   }
   FillOptions options;
-  options.clip = body.clip;
+  options.clip = is_clipped(scene, body);
   options.jitter = body.jitter;
   options.random = body.random;
   options.seed = static_cast<std::uint64_t>(body.seed);
@@ -169,6 +169,11 @@ std::optional<Shape> placed_shape(const Body& body) {
   moved.shape = Shape(turned);
   moved.by = body.translation;
   return Shape(moved);
+}
+
+bool is_clipped(const Scene& scene, const Body& body) {
+  const bool plain = body.jitter == 0.0 && !body.random;
+  return body.shape && body.clip.value_or(scene.quasi_static.has_value() && plain);
 }
 
 std::vector<FilledPoints> fill_bodies(const Scene& scene) {

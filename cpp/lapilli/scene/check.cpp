@@ -110,7 +110,7 @@ void describe_quasi_static(const Scene& scene, CheckReport& report) {
     report.not_modelled.push_back(absent);
   }
   for (const Body& body : scene.bodies) {
-    if (body.shape && !body.clip) {
+    if (body.shape && !is_clipped(scene, body)) {
       report.notes.push_back(message("body ", body.name,
                                      " is not clipped: its points integrate cut cells roughly; "
                                      "set clip = true"));
