@@ -1,256 +1,264 @@
 #include "lapilli/mpm/quasi_static/cut_fill.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/geometry/flat.hpp"
+#include "lapilli/mpm/quasi_static/cut_moments.hpp"
 
 namespace lapilli {
 namespace {
 
-using Face = std::vector<Vec3>;  // corners of a flat convex face, in order
-using Solid = std::vector<Face>;
+constexpr double smallest = 1e-12;  // of a box; below it a box is cut by rounding alone
 
-struct Plane {
-  Vec3 at;
-  Vec3 inward;
+struct Cube {
+  Vec3 low;
+  double size;
+
+  Vec3 middle() const { return low + Vec3::Constant(0.5 * size); }
+  /// Distance from the nearest face, negative outside.
+  double depth(const Vec3& at) const {
+    return std::min((at - low).minCoeff(), (low - at).minCoeff() + size);
+  }
 };
 
-/// The planes that bound a convex shape with flat faces; nothing for other shapes.
-std::optional<std::vector<Plane>> planes_of(const Shape& shape) {
-  std::vector<Plane> planes;
-  if (const auto* half = std::get_if<HalfSpace>(&shape)) {
-    planes.push_back({place(half->point), -place(half->normal).normalized()});
-  } else if (const auto* box = std::get_if<Box>(&shape)) {
-    for (std::size_t axis = 0; axis < box->lower.size(); ++axis) {
-      const Vec3 direction = Vec3::Unit(static_cast<int>(axis));
-      planes.push_back({place(box->lower), direction});
-      planes.push_back({place(box->upper), -direction});
-    }
-  } else if (const auto* turned = std::get_if<Rotated>(&shape)) {
-    auto before = planes_of(*turned->shape);
-    if (!before) {
-      return std::nullopt;
-    }
-    const Vec3 centre = place(turned->center);
-    const Mat3 turn = turned->matrix();
-    for (const Plane& plane : *before) {
-      planes.push_back({centre + turn * (plane.at - centre), turn * plane.inward});
-    }
-  } else if (const auto* moved = std::get_if<Translated>(&shape)) {
-    auto before = planes_of(*moved->shape);
-    if (!before) {
-      return std::nullopt;
-    }
-    for (const Plane& plane : *before) {
-      planes.push_back({plane.at + place(moved->by), plane.inward});
-    }
-  } else if (const auto* common = std::get_if<Intersection>(&shape)) {
-    for (const Shape& part : common->shapes) {
-      const auto of_part = planes_of(part);
-      if (!of_part) {
-        return std::nullopt;
-      }
-      planes.insert(planes.end(), of_part->begin(), of_part->end());
-    }
-  } else {
-    return std::nullopt;
-  }
-  return planes;
+void put(const Vec3& at, double volume, FilledPoints& points) {
+  points.position.insert(points.position.end(), at.data(), at.data() + 3);
+  points.volume.push_back(volume);
 }
 
-/// Corners of a flat convex face in order around their middle.
-Face ordered(Face corners, const Vec3& normal) {
-  Vec3 middle = Vec3::Zero();
-  for (const Vec3& corner : corners) {
-    middle += corner / static_cast<double>(corners.size());
-  }
-  int least = 0;
-  normal.cwiseAbs().minCoeff(&least);
-  const Vec3 one = normal.cross(Vec3(Vec3::Unit(least))).normalized(), other = normal.cross(one);
-  std::sort(corners.begin(), corners.end(), [&](const Vec3& a, const Vec3& b) {
-    return std::atan2((a - middle).dot(other), (a - middle).dot(one)) <
-           std::atan2((b - middle).dot(other), (b - middle).dot(one));
-  });
-  return corners;
+/// Rotations spread over all, the identity first.
+const std::vector<Mat3>& trial_rotations() {
+  static const std::vector<Mat3> rotations = [] {
+    std::vector<Mat3> all{Mat3::Identity()};
+    const Vec3 axes[] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},  {1, 1, 0},  {1, 0, 1},
+                         {0, 1, 1},  {1, -1, 0}, {1, 0, -1}, {0, 1, -1}, {1, 1, 1},
+                         {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
+    for (const Vec3& axis : axes) {
+      for (const double degrees : {-90.0, -60.0, -30.0, 30.0, 60.0, 90.0}) {
+        all.push_back(
+            Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, axis.normalized()).matrix());
+      }
+    }
+    return all;
+  }();
+  return rotations;
 }
 
-/// The part of a convex solid on the inner side of a plane.
-Solid clip(const Solid& solid, const Plane& plane, double slack) {
-  Solid kept;
-  Face cap;
-  for (const Face& face : solid) {
-    Face rest;
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      const Vec3 &p = face[k], &q = face[(k + 1) % face.size()];
-      const double a = (p - plane.at).dot(plane.inward), b = (q - plane.at).dot(plane.inward);
-      if (a >= -slack) {
-        rest.push_back(p);
-      }
-      if (std::abs(a) <= slack) {
-        cap.push_back(p);
-      }
-      if ((a > slack && b < -slack) || (a < -slack && b > slack)) {
-        rest.push_back(p + (q - p) * (a / (a - b)));
-        cap.push_back(rest.back());
-      }
-    }
-    if (rest.size() >= 3) {
-      kept.push_back(std::move(rest));
-    }
-  }
-  if (cap.size() >= 3) {
-    kept.push_back(ordered(std::move(cap), plane.inward));
-  }
-  return kept;
-}
-
-Solid box_at(const Vec3& low, double size) {
-  const auto corner = [&](int k) {
-    return Vec3(low + size * Vec3(k & 1, (k >> 1) & 1, (k >> 2) & 1));
-  };
-  const int faces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                           {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
-  Solid solid;
-  for (const auto& face : faces) {
-    solid.push_back({corner(face[0]), corner(face[1]), corner(face[2]), corner(face[3])});
-  }
-  return solid;
-}
-
-/// Four points of degree 2 in each tetrahedron between the middle of a solid and its faces.
-void add_points(const Solid& solid, double smallest, FilledPoints& points) {
-  constexpr double near = 0.5854101966249685, far = 0.1381966011250105;
-  Vec3 middle = Vec3::Zero();
-  double corners = 0.0;
-  for (const Face& face : solid) {
-    for (const Vec3& corner : face) {
-      middle += corner;
-      corners += 1.0;
-    }
-  }
-  middle /= corners;
-  for (const Face& face : solid) {
-    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-      const std::array<Vec3, 4> tetrahedron{middle, face[0], face[k], face[k + 1]};
-      const Vec3 a = tetrahedron[1] - middle, b = tetrahedron[2] - middle,
-                 c = tetrahedron[3] - middle;
-      const double volume = std::abs(a.dot(b.cross(c))) / 6.0;
-      if (volume <= smallest) {
-        continue;
-      }
-      for (int q = 0; q < 4; ++q) {
-        Vec3 at = Vec3::Zero();
-        for (int j = 0; j < 4; ++j) {
-          at += (j == q ? near : far) * tetrahedron[j];
-        }
-        points.position.insert(points.position.end(), at.data(), at.data() + 3);
-        points.volume.push_back(0.25 * volume);
-      }
-    }
-  }
-}
-
-/// The part of a box in a shape with curved faces or edges: its six tetrahedra, each cut by the
-/// plane through the linear interpolant of the distance.
-void add_curved(const Shape& shape, const Vec3& low, double size, FilledPoints& points) {
-  const double slack = 1e-13 * size;
-  std::array<int, 3> axes{0, 1, 2};
-  do {
-    std::array<Vec3, 4> corner;
-    std::array<double, 4> value;
-    corner[0] = low;
-    for (int k = 0; k < 3; ++k) {
-      corner[k + 1] = corner[k] + size * Vec3::Unit(axes[k]);
-    }
+/// Four points of equal volume with these moments, as deep in the cell as a turn of them allows.
+/// Adds nothing and returns false when one would lie outside.
+bool put_four(const SecondMoments& moments, const Cube& cell, FilledPoints& points) {
+  const Vec3 centre = moments.first / moments.volume;
+  const Mat3 spread = moments.second / moments.volume - centre * centre.transpose();
+  const Eigen::SelfAdjointEigenSolver<Mat3> axes(spread);
+  const Mat3 root = axes.eigenvectors() *
+                    axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal().toDenseMatrix();
+  Eigen::Matrix<double, 3, 4> corners;  // of a tetrahedron with the identity as second moments
+  corners << 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1, 1;
+  double deepest = 0.0;
+  std::optional<Eigen::Matrix<double, 3, 4>> best;
+  for (const Mat3& turn : trial_rotations()) {
+    Eigen::Matrix<double, 3, 4> trial = root * turn * corners;
+    trial.colwise() += moments.about + centre;
+    double depth = cell.size;
     for (int k = 0; k < 4; ++k) {
-      value[k] = distance(shape, corner[k]);
+      depth = std::min(depth, cell.depth(trial.col(k)));
     }
-    Solid solid{{corner[0], corner[1], corner[2]},
-                {corner[0], corner[1], corner[3]},
-                {corner[0], corner[2], corner[3]},
-                {corner[1], corner[2], corner[3]}};
-    if (*std::max_element(value.begin(), value.end()) > 0.0) {
-      Mat3 edges;
-      Vec3 rise;
-      for (int k = 0; k < 3; ++k) {
-        edges.row(k) = (corner[k + 1] - corner[0]).transpose();
-        rise[k] = value[k + 1] - value[0];
-      }
-      const Vec3 slope = edges.inverse() * rise;
-      if (slope.norm() < 1e-12) {
-        continue;
-      }
-      const Vec3 at = corner[0] - slope * (value[0] / slope.squaredNorm());
-      solid = clip(solid, {at, -slope.normalized()}, slack);
+    if (depth > deepest * (1.0 + 1e-9)) {
+      deepest = depth;
+      best = trial;
     }
-    if (solid.size() >= 4) {
-      add_points(solid, 1e-16 * size * size * size, points);
-    }
-  } while (std::next_permutation(axes.begin(), axes.end()));
+  }
+  for (int k = 0; best && k < 4; ++k) {
+    put(best->col(k), 0.25 * moments.volume, points);
+  }
+  return best.has_value();
 }
+
+/// What the gradients of trilinear functions are made of.
+Eigen::Matrix<double, 7, 1> functions_at(const Vec3& x) {
+  Eigen::Matrix<double, 7, 1> values;
+  values << 1.0, x[0], x[1], x[2], x[0] * x[1], x[1] * x[2], x[2] * x[0];
+  return values;
+}
+
+/// Seven or fewer of the points of a rule, with weights that integrate the same functions: along
+/// the null space of eight points one weight after the other goes to zero (Caratheodory).
+void put_few(std::vector<QuadraturePoint<3>> rule, const Cube& cell, FilledPoints& points) {
+  while (rule.size() > 7) {
+    Eigen::Matrix<double, 7, 8> values;
+    for (int k = 0; k < 8; ++k) {
+      values.col(k) = functions_at((rule[k].position - cell.middle()) / cell.size);
+    }
+    const Eigen::Matrix<double, 8, 1> change =
+        Eigen::FullPivLU<Eigen::Matrix<double, 7, 8>>(values).kernel().col(0);
+    int emptied = -1;
+    double step = 0.0;
+    for (int k = 0; k < 8; ++k) {
+      // Either sign of the change will do: it has entries of both, the first function being one.
+      const double until = change[k] > 0.0 ? rule[k].weight / change[k] : -1.0;
+      if (until >= 0.0 && (emptied < 0 || until < step)) {
+        emptied = k;
+        step = until;
+      }
+    }
+    for (int k = 0; k < 8; ++k) {
+      rule[k].weight -= step * change[k];
+    }
+    rule.erase(rule.begin() + emptied);
+  }
+  for (const QuadraturePoint<3>& point : rule) {
+    if (point.weight > 0.0) {
+      put(point.position, point.weight, points);
+    }
+  }
+}
+
+/// Fills the cells of a grid one after the other.
+class CellFill {
+ public:
+  CellFill(const Shape& shape, const Lattice& lattice)
+      : shape_(shape),
+        cuts_(cuts_of(shape)),
+        per_axis_(lattice.points_per_axis),
+        boxes_(lattice.points_per_axis <= 2 ? 1 : lattice.points_per_axis) {}
+
+  void fill(const Cube& cell, FilledPoints& points) const {
+    const Where where = place_of(cell);
+    if (where == Where::outside) {
+      return;
+    }
+    if (where == Where::inside) {
+      put_lattice(cell, per_axis_, points);
+      return;
+    }
+    std::vector<Cube> cut;
+    for_each_box(cell, boxes_, [&](const Cube& box) {
+      const Where at = place_of(box);
+      if (at == Where::inside) {
+        put(box.middle(), box.size * box.size * box.size, points);
+      } else if (at == Where::cut) {
+        cut.push_back(box);
+      }
+    });
+    put_cut(cell, cut, points);
+  }
+
+ private:
+  enum class Where { outside, cut, inside };
+
+  Where place_of(const Cube& box) const {
+    constexpr double half_diagonal = 0.8660254037844387;
+    const double off = distance(shape_, box.middle());
+    if (off > half_diagonal * box.size) {
+      return Where::outside;
+    }
+    if (!cuts_) {
+      return off > -half_diagonal * box.size ? Where::cut : Where::inside;
+    }
+    const double slack = 1e-12 * box.size;
+    for (const Cut<3>& cut : *cuts_) {
+      if (cut.normal.dot(box.middle()) + 0.5 * box.size * cut.normal.lpNorm<1>() >
+          cut.offset + slack) {
+        return Where::cut;
+      }
+    }
+    return Where::inside;
+  }
+
+  template <class Visit>
+  static void for_each_box(const Cube& cell, int per_axis, const Visit& visit) {
+    const double side = cell.size / per_axis;
+    for (int k = 0; k < per_axis * per_axis * per_axis; ++k) {
+      visit(Cube{cell.low + side * Vec3(k % per_axis, (k / per_axis) % per_axis,
+                                        k / (per_axis * per_axis)),
+                 side});
+    }
+  }
+
+  static void put_lattice(const Cube& cell, int per_axis, FilledPoints& points) {
+    for_each_box(cell, per_axis, [&](const Cube& box) {
+      put(box.middle(), box.size * box.size * box.size, points);
+    });
+  }
+
+  void put_cut(const Cube& cell, const std::vector<Cube>& boxes, FilledPoints& points) const {
+    SecondMoments moments;
+    moments.about = cell.middle();
+    for (const Cube& box : boxes) {
+      if (cuts_) {
+        for (const Tetrahedron& part : parts_of_box(*cuts_, box.low, box.size)) {
+          moments.add(part);
+        }
+      } else {
+        moments.add(moved(moments_of_box(shape_, box.low, box.size), moments.about));
+      }
+    }
+    const double whole = cell.size * cell.size * cell.size;
+    if (moments.volume <= smallest * whole || put_four(moments, cell, points)) {
+      return;
+    }
+    std::vector<Tetrahedron> parts;
+    for (const Cube& box : boxes) {
+      const auto of_box = cuts_ ? parts_of_box(*cuts_, box.low, box.size)
+                                : parts_of_box(shape_, box.low, box.size, 4);
+      parts.insert(parts.end(), of_box.begin(), of_box.end());
+    }
+    put_few(quadrature(parts), cell, points);
+  }
+
+  /// The same moments about another point.
+  static SecondMoments moved(const SecondMoments& from, const Vec3& about) {
+    const Vec3 by = from.about - about;
+    SecondMoments to = from;
+    to.about = about;
+    to.first += from.volume * by;
+    to.second += from.first * by.transpose() + by * from.first.transpose() +
+                 from.volume * by * by.transpose();
+    return to;
+  }
+
+  const Shape& shape_;
+  std::optional<std::vector<Cut<3>>> cuts_;
+  int per_axis_, boxes_;
+};
 
 }  // namespace
 
 FilledPoints fill_exactly(const Shape& shape, const Lattice& lattice, int dimension) {
-  FillOptions options;
-  options.clip = true;
-  options.smallest_volume = 1e-12;  // below it a box is cut by rounding alone
   if (dimension < 3) {
+    FillOptions options;
+    options.clip = true;
+    options.smallest_volume = smallest;
     return fill(shape, lattice, options, dimension);
   }
   check(shape, 3);
   const Bounds ends = bounds(shape);
   require(ends.lower.allFinite() && ends.upper.allFinite(),
           "fill: the shape has no end along every axis");
-  const auto planes = planes_of(shape);
-  const double size = lattice.spacing(), slack = 1e-12 * size;
   FilledPoints points;
   points.dimension = 3;
-  points.spacing = size;
+  points.spacing = lattice.spacing();
   std::array<Index, 3> first, last;
   for (int axis = 0; axis < 3; ++axis) {
-    first[axis] = static_cast<Index>(std::floor((ends.lower[axis] - lattice.lower[axis]) / size));
-    last[axis] = static_cast<Index>(std::ceil((ends.upper[axis] - lattice.lower[axis]) / size));
+    first[axis] =
+        static_cast<Index>(std::floor((ends.lower[axis] - lattice.lower[axis]) / lattice.cell));
+    last[axis] =
+        static_cast<Index>(std::ceil((ends.upper[axis] - lattice.lower[axis]) / lattice.cell));
   }
+  const CellFill cells(shape, lattice);
   for (Index k = first[2]; k <= last[2]; ++k) {
     for (Index j = first[1]; j <= last[1]; ++j) {
       for (Index i = first[0]; i <= last[0]; ++i) {
-        const Vec3 low = lattice.lower + size * Vec3(static_cast<double>(i), static_cast<double>(j),
-                                                     static_cast<double>(k));
-        const Vec3 middle = low + Vec3::Constant(0.5 * size);
-        const double to_surface = distance(shape, middle);
-        if (to_surface > 0.87 * size) {
-          continue;
-        }
-        bool cut = true;
-        if (planes) {
-          cut = std::any_of(planes->begin(), planes->end(), [&](const Plane& plane) {
-            return (middle - plane.at).dot(plane.inward) <
-                   0.5 * size * plane.inward.lpNorm<1>() - slack;
-          });
-        } else {
-          cut = to_surface > -0.87 * size;
-        }
-        if (!cut) {
-          points.position.insert(points.position.end(), middle.data(), middle.data() + 3);
-          points.volume.push_back(size * size * size);
-          continue;
-        }
-        if (!planes) {
-          add_curved(shape, low, size, points);
-          continue;
-        }
-        Solid solid = box_at(low, size);
-        for (const Plane& plane : *planes) {
-          solid = solid.size() >= 4 ? clip(solid, plane, slack) : Solid{};
-        }
-        if (solid.size() >= 4) {
-          add_points(solid, 1e-15 * size * size * size, points);
-        }
+        const Vec3 step(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
+        cells.fill({lattice.lower + lattice.cell * step, lattice.cell}, points);
       }
     }
   }
