@@ -57,7 +57,7 @@ void measure(int cells) {
   const Boundary<2> boundary(settings);
   Reference<2> reference(points, false);
   reference.start(points, nullptr, 1.0);
-  reference.locate(grid, points, materials, boundary);
+  reference.locate(grid, points, materials, std::vector<char>{0}, boundary);
   Loads<2> loads;
   for (const Facet<2>& facet : reference.facets) {
     const std::vector<Vec<2>> still(facet.points.size(), Vec<2>::Zero());
@@ -70,8 +70,8 @@ void measure(int cells) {
   NodeSystem<2> system;
   DirectSolver solver;
   watch.lap();
-  Equilibrium<2> equilibrium(grid, points, reference.weights, *reference.state, materials, stress,
-                             loads, system, solver);
+  Equilibrium<2> equilibrium(grid, std::as_const(points).volume(), points.body(), reference.weights,
+                             *reference.state, materials, stress, loads, system, solver);
   const double analysis = watch.lap();
   equilibrium.factorise();
   const double both = watch.lap();
