@@ -126,11 +126,11 @@ Eigen::VectorXd QuasiStatic<Dim>::solve(const Equilibrium<Dim>& equilibrium, Rep
                                  report.newton.residual, " after ", report.newton.iterations,
                                  " iterations, tolerance ", settings_.tolerance));
   }
-  constexpr double least_digits = 1e-6;
+  constexpr double least_digits = 1e-4;
   if (report.newton.floor > least_digits) {
     throw RunError(message("forces cancel to a relative ", report.newton.floor,
                            ": stiff and soft bodies are too far apart for double precision; bring "
-                           "their youngs_modulus within a factor of 1e9"));
+                           "their youngs_modulus within a factor of 1e8"));
   }
   return u;
 }
@@ -178,6 +178,17 @@ template <int Dim>
 void QuasiStatic<Dim>::require_positive(const PivotReport& pivots) const {
   if (pivots.not_positive == 0) {
     return;
+  }
+  constexpr double largest_contrast = 1e8;
+  const auto [soft, stiff] = std::minmax_element(
+      materials_.begin(), materials_.end(),
+      [](const auto& a, const auto& b) { return a.youngs_modulus < b.youngs_modulus; });
+  if (stiff->youngs_modulus > largest_contrast * soft->youngs_modulus) {
+    throw RunError(
+        message("the stiffness matrix is not positive definite: bodies of youngs_modulus ",
+                soft->youngs_modulus, " and ", stiff->youngs_modulus,
+                " Pa are too far apart for double precision; bring them within a factor "
+                "of 1e8"));
   }
   const Vec<Dim> place = grid_.node_position(system_.nodes()[pivots.smallest_unknown / Dim]);
   throw RunError(
