@@ -6,8 +6,8 @@
 #include <ctime>
 #include <vector>
 
-#include "lapilli/geometry/fill.hpp"
 #include "lapilli/geometry/cell_fill.hpp"
+#include "lapilli/geometry/fill.hpp"
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
 
 using namespace lapilli;
