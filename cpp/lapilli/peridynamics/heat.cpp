@@ -231,7 +231,7 @@ std::vector<std::pair<std::string, double>> PeridynamicHeat::diagnostics() const
   std::vector<std::pair<std::string, double>> numbers;
   for (std::size_t k = 0; k < from_walls_.size(); ++k) {
     if (walls_->walls()[k].settings.heat != WallHeat::adiabatic) {
-      numbers.emplace_back(message("heat_flow.", walls_->walls()[k].settings.name), from_walls_[k]);
+      numbers.emplace_back(message("heat_flow_from_wall_", walls_->walls()[k].settings.name), from_walls_[k]);
     }
   }
   numbers.emplace_back("bond_imbalance", exchange_->imbalance());

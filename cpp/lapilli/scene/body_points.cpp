@@ -14,7 +14,7 @@
 namespace lapilli {
 namespace {
 
-std::string body_path(std::size_t index) { return message("bodies.", index); }
+std::string body_path(std::size_t index) { return element_path("bodies", index); }
 
 int points_along_axis(const Body& body, int dimension) {
   return body.points_per_cell ? points_per_axis(*body.points_per_cell, dimension) : 2;

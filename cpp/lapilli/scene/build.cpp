@@ -15,6 +15,7 @@
 #include "lapilli/scene/build_peridynamics.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/resolve_files.hpp"
+#include "lapilli/scene/run_scene.hpp"
 #include "lapilli/scene/validate.hpp"
 
 namespace lapilli {
@@ -192,6 +193,21 @@ Simulation::Clock clock_of(const Scene& scene) {
   return clock;
 }
 
+// Which fields there are, and where material is, is known now.
+void check_probes(const Scene& scene, Simulation& simulation) {
+  const std::vector<Probe> probes = probes_of(scene);
+  Mistakes mistakes;
+  for (std::size_t k = 0; k < probes.size(); ++k) {
+    mistakes.gather([&] {
+      in_file(scene, element_path("probes", k), [&] {
+        const Probes one(simulation, {probes[k]}, static_cast<int>(scene.bodies.size()));
+        one.read(simulation, true);
+      });
+    });
+  }
+  mistakes.throw_if_any();
+}
+
 template <int Dim>
 std::unique_ptr<Simulation> build_in(const Scene& scene) {
   const Grid<Dim> grid = grid_of<Dim>(scene);
@@ -227,9 +243,11 @@ std::unique_ptr<Simulation> build_in(const Scene& scene) {
     }
     physics.push_back(std::make_unique<PrescribedMotion<Dim>>(*points, std::move(motions)));
   }
-  return in_file(scene, scene.time.steps ? "time.steps" : "time.step", [&] {
+  auto simulation = in_file(scene, scene.time.steps ? "time.steps" : "time.step", [&] {
     return std::make_unique<Simulation>(std::move(points), std::move(physics), clock_of(scene));
   });
+  check_probes(scene, *simulation);
+  return simulation;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
@@ -273,6 +274,9 @@ CheckReport check(const Scene& scene) {
   describe_grid(scene, report);
   describe_bodies(scene, *simulation, report);
   describe_physics(scene, report);
+  for (const std::string& note : unused_settings(scene)) {
+    report.notes.push_back(note);
+  }
   describe_steps(scene, *simulation, report);
   report.memory = memory_of(scene, report);
   measure_steps(*simulation, report);

@@ -56,9 +56,9 @@ class Deposit:
 def collapsed(aspect: float, cell: float) -> Deposit:
     """The deposit of a column of this aspect."""
     simulation = Simulation(scene(aspect, cell))
-    before = simulation.diagnostics()["momentum/potential energy"]
+    before = simulation.diagnostics()["momentum/potential_energy"]
     simulation.run_until(simulation.end)
-    released = before - simulation.diagnostics()["momentum/potential energy"]
+    released = before - simulation.diagnostics()["momentum/potential_energy"]
     energy = next(account for account in simulation.ledger() if account.quantity == "energy")
     left = energy.stored - energy.initial - energy.taken_in
     position = simulation["position"]
