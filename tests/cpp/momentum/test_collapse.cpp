@@ -136,7 +136,6 @@ double creep(double slope, double h, double time) {
                     }};
   run.add(body, 3, [=](const Vec<2>& x) { return x[1] < depth; });
   run.problem.settings.gravity = {g * std::sin(angle), -g * std::cos(angle)};
-  run.problem.settings.pic_share = 0.0;
   run.no_slip(0, 0);
   run.no_slip(0, 1);
   run.no_slip(1, 0);
