@@ -126,6 +126,25 @@ void describe_quasi_static(const Scene& scene, CheckReport& report) {
   }
 }
 
+// Where the default transfer is weaker than elsewhere.
+void describe_transfer(const Scene& scene, CheckReport& report) {
+  if (scene.momentum->transfer != VelocityTransfer::blended_apic) {
+    return;
+  }
+  if (scene.grid.shape_function == ShapeFunction::linear) {
+    report.notes.push_back(
+        "momentum.transfer blended_apic has no affine part with linear functions: spin fades");
+  }
+  const double enough = 0.75 * scene.grid.cell;
+  for (const CheckReport::BodyReport& body : report.bodies) {
+    if (body.spacing > enough) {
+      report.notes.push_back(message("body ", body.name, " has fewer than ", 1 << report.dimension,
+                                     " points a cell: with momentum.transfer blended_apic it may "
+                                     "fall apart after some 10,000 steps"));
+    }
+  }
+}
+
 void describe_momentum(const Scene& scene, CheckReport& report) {
   if (!scene.momentum) {
     report.not_modelled.push_back("explicit momentum");
@@ -146,6 +165,10 @@ void describe_momentum(const Scene& scene, CheckReport& report) {
         },
         wall);
   }
+  for (const Obstacle& obstacle : settings.obstacles) {
+    report.modelled.push_back(message(name_of(obstacle.contact), " obstacle ", obstacle.name,
+                                      obstacle.name.empty() ? "" : ": ", kind_of(obstacle.shape)));
+  }
   for (const Body& body : scene.bodies) {
     for (const Material& material : body.material) {
       if (std::holds_alternative<ThermalExpansion>(material)) {
@@ -161,6 +184,10 @@ void describe_momentum(const Scene& scene, CheckReport& report) {
   if (settings.walls.empty()) {
     report.notes.push_back("[momentum] has no walls: a point that leaves the grid stops the run");
   }
+  for (const std::string& warning : warnings(settings)) {
+    report.notes.push_back(warning);
+  }
+  describe_transfer(scene, report);
   for (const char* absent : {"hardening", "pore pressure",
                              "contact between bodies other than "
                              "through common nodes"}) {
