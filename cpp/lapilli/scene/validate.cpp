@@ -64,8 +64,8 @@ class RangeCheck {
       for (std::size_t k = 0; k < in_time->times.size(); ++k) {
         check_number(in_time->values[k], key, path);
         require_at(std::isfinite(in_time->times[k]) &&
-                       (k == 0 || in_time->times[k] > in_time->times[k - 1]),
-                   scene_, path, "has times that do not increase");
+                       (k == 0 || in_time->times[k] >= in_time->times[k - 1]),
+                   scene_, path, "has times that decrease");
       }
     } else if (value.is_constant()) {
       check_number(value.at(0.0), key, path);
