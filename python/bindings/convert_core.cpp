@@ -90,9 +90,9 @@ void check_table(const Where& where, const Table& table) {
   for (const double time : table.times) {
     check_range(Key("times").unit("s"), time, where.path());
   }
-  require(std::adjacent_find(table.times.begin(), table.times.end(), std::greater_equal<>()) ==
+  require(std::adjacent_find(table.times.begin(), table.times.end(), std::greater<>()) ==
               table.times.end(),
-          say("needs times that increase"));
+          say("needs times that do not decrease"));
   for (const double value : table.values) {
     check_range(where.key, value, where.owner);
   }

@@ -124,8 +124,8 @@ Table TreeReader::table_of_file(const Tree::Table& table, const Tree::Entry& fil
   for (std::size_t k = 0; k < columns.first.size(); ++k) {
     double number = 0.0;
     read_number({columns.second[k], file.place}, key, message(file_path, ", row ", k), number);
-    if (k > 0 && columns.first[k] <= columns.first[k - 1]) {
-      fail(file.value, file_path, message("has times that do not increase in row ", k));
+    if (k > 0 && columns.first[k] < columns.first[k - 1]) {
+      fail(file.value, file_path, message("has times that decrease in row ", k));
     }
   }
   return {std::move(columns.first), std::move(columns.second)};
@@ -175,9 +175,9 @@ void TreeReader::read_value(const Tree& tree, const Key& key, const std::string&
          message("needs as many values as times, got ", in_time.values.size(), " and ",
                  in_time.times.size()));
   }
-  if (std::adjacent_find(in_time.times.begin(), in_time.times.end(), std::greater_equal<>()) !=
+  if (std::adjacent_find(in_time.times.begin(), in_time.times.end(), std::greater<>()) !=
       in_time.times.end()) {
-    fail(tree, joined_path(path, "times"), "must increase");
+    fail(tree, joined_path(path, "times"), "must not decrease");
   }
   value = Value(std::move(in_time));
 }

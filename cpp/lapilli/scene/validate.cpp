@@ -76,8 +76,8 @@ class RangeCheck {
     require_at(!table.times.empty() && table.times.size() == table.values.size(), scene_, path,
                "needs as many values as times, at least one");
     for (std::size_t k = 0; k < table.times.size(); ++k) {
-      require_at(std::isfinite(table.times[k]) && (k == 0 || table.times[k] > table.times[k - 1]),
-                 scene_, path, "has times that do not increase");
+      require_at(std::isfinite(table.times[k]) && (k == 0 || table.times[k] >= table.times[k - 1]),
+                 scene_, path, "has times that decrease");
     }
   }
 

@@ -86,7 +86,7 @@ def test_a_table_is_linear_between_its_times_and_constant_outside() -> None:
     [
         ([], [], "without times"),
         ([0, 1], [1], "got 1 and 2"),
-        ([0, 0], [1, 2], "times that increase"),
+        ([1, 0], [1, 2], "times that do not decrease"),
     ],
 )
 def test_a_table_that_is_none_is_refused(times, values, says: str) -> None:

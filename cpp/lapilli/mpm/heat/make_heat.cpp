@@ -1,5 +1,6 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/heat_at_rest.hpp"
+#include "lapilli/mpm/heat/heat_in_shapes.hpp"
 #include "lapilli/mpm/heat/heat_on_points.hpp"
 #include "lapilli/mpm/heat/step_bound.hpp"
 
@@ -22,6 +23,9 @@ template <int Dim>
 std::unique_ptr<Physics> make_heat(Points& points, HeatProblem<Dim> problem) {
   require(!problem.moving || problem.settings.transfer != HeatTransfer::kept,
           "heat.transfer = \"kept\" needs points at rest, but this scene moves them");
+  if (HeatInShapes<Dim>::suits(problem)) {
+    return std::make_unique<HeatInShapes<Dim>>(points, std::move(problem));
+  }
   if (closes_on_nodes(problem)) {
     return std::make_unique<HeatAtRest<Dim>>(points, std::move(problem));
   }
