@@ -63,10 +63,10 @@ class RangeCheck {
                  path, "needs as many values as times, at least one");
       for (std::size_t k = 0; k < in_time->times.size(); ++k) {
         check_number(in_time->values[k], key, path);
-        require_at(std::isfinite(in_time->times[k]) &&
-                       (k == 0 || in_time->times[k] > in_time->times[k - 1]),
-                   scene_, path, "has times that do not increase");
+        require_at(std::isfinite(in_time->times[k]), scene_, path, "has a time that is not finite");
       }
+      require_at(in_time->is_ordered(), scene_, path,
+                 "has times that do not increase; two equal times, not three, are a jump");
     } else if (value.is_constant()) {
       check_number(value.at(0.0), key, path);
     }
