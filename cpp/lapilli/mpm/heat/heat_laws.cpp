@@ -9,8 +9,6 @@
 namespace lapilli {
 namespace {
 
-double fourth_power(double x) { return x * x * x * x; }
-
 bool is_held(const HeatBoundary& law) { return std::holds_alternative<PrescribedTemperature>(law); }
 
 }  // namespace
@@ -33,8 +31,8 @@ void HeatLaws<Dim>::Account::add(double value) {
 }
 
 template <int Dim>
-HeatLaws<Dim>::HeatLaws(const std::vector<HeatBoundary>& laws)
-    : laws_(laws), nodes_(laws.size()), account_(laws.size()) {
+HeatLaws<Dim>::HeatLaws(const std::vector<HeatBoundary>& laws, double absolute_zero)
+    : laws_(laws), nodes_(laws.size()), account_(laws.size()), zero_(absolute_zero) {
   for (const HeatBoundary& law : laws_) {
     if (const Shape* region = region_of(law)) {
       check(*region, Dim);
@@ -45,6 +43,13 @@ HeatLaws<Dim>::HeatLaws(const std::vector<HeatBoundary>& laws)
 template <int Dim>
 bool HeatLaws<Dim>::has_held_temperature() const {
   return std::any_of(laws_.begin(), laws_.end(), is_held);
+}
+
+template <int Dim>
+bool HeatLaws<Dim>::has_radiation() const {
+  return std::any_of(laws_.begin(), laws_.end(), [](const HeatBoundary& law) {
+    return std::holds_alternative<Radiation>(law);
+  });
 }
 
 template <int Dim>
@@ -144,76 +149,152 @@ void HeatLaws<Dim>::require_all_used() const {
 }
 
 template <int Dim>
-void HeatLaws<Dim>::evaluate(std::span<const double> temperature, double time) {
+void HeatLaws<Dim>::read_states(std::size_t law, std::span<const double> temperature) {
   constexpr std::size_t corners = 1 << Dim;
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    Nodes& n = nodes_[law];
-    const std::size_t count = n.node.size();
-    first_.resize(count);
-    second_.resize(count);
-    const bool held = is_held(laws_[law]);
-    for (std::size_t k = 0; k < count; ++k) {
-      if (held) {
-        n.state[k] = 0.0;
-        for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
-          n.state[k] += n.probe[c].second * temperature[n.probe[c].first];
-        }
-      } else {
-        n.state[k] = temperature[n.node[k]];
-      }
+  Nodes& n = nodes_[law];
+  const bool held = is_held(laws_[law]);
+  for (std::size_t k = 0; k < n.node.size(); ++k) {
+    if (!held) {
+      n.state[k] = temperature[n.node[k]];
+      continue;
     }
-    const auto fill = [&](const Value& value, std::vector<double>& to) {
-      value.evaluate(n.position, n.state, time, to);
-    };
+    n.state[k] = 0.0;
+    for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
+      n.state[k] += n.probe[c].second * temperature[n.probe[c].first];
+    }
+  }
+}
+
+template <int Dim>
+void HeatLaws<Dim>::fill(const Value& value, const Nodes& nodes,
+                         std::vector<double>& values) const {
+  value.evaluate_mean(nodes.position, nodes.state, begin_, end_, values);
+}
+
+template <int Dim>
+void HeatLaws<Dim>::fill_ambient(const Value& coefficient, const Value& ambient, int power,
+                                 const Nodes& nodes, std::vector<double>& values) const {
+  if (ambient.is_function() || ambient.is_constant()) {
+    fill(ambient, nodes, values);
+    return;
+  }
+  const double share = coefficient.is_function() ? 1.0 : coefficient.mean(begin_, end_);
+  const double mean = mean_of_product({&coefficient, &ambient}, begin_, end_, [&](double time) {
+    const double factor = coefficient.is_function() ? 1.0 : coefficient.at(time);
+    return factor * std::pow(ambient.at(time) - zero_, power);
+  });
+  const double absolute = share > 0.0 ? mean / share : 0.0;
+  std::fill(values.begin(), values.end(), zero_ + std::pow(std::max(absolute, 0.0), 1.0 / power));
+}
+
+template <int Dim>
+void HeatLaws<Dim>::evaluate(std::span<const double> temperature, double time) {
+  secant_ = false;
+  evaluate_between(temperature, time, time);
+}
+
+template <int Dim>
+void HeatLaws<Dim>::evaluate_over(std::span<const double> temperature, double begin, double end) {
+  secant_ = true;
+  evaluate_between(temperature, begin, end);
+}
+
+template <int Dim>
+void HeatLaws<Dim>::evaluate_between(std::span<const double> temperature, double begin,
+                                     double end) {
+  begin_ = begin;
+  end_ = end;
+  const bool absolute = has_radiation();
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    read_states(law, temperature);
+    Nodes& n = nodes_[law];
+    first_.resize(n.node.size());
+    second_.resize(n.node.size());
     if (const auto* flux = std::get_if<PrescribedFlux>(&laws_[law])) {
-      fill(flux->value, first_);
-      std::fill(n.slope.begin(), n.slope.end(), 0.0);
-      if (flux->value.is_function()) {
-        // The slope of a function, by a difference: a flux that falls with the temperature is taken
-        // at the end of the step like convection.
-        double span = 1.0;
-        for (const double state : n.state) {
-          span = std::max(span, std::abs(state));
-        }
-        const double rise = 1e-6 * span;
-        std::vector<double> warmer(n.state);
-        for (double& state : warmer) {
-          state += rise;
-        }
-        flux->value.evaluate(n.position, warmer, time, second_);
-        for (std::size_t k = 0; k < count; ++k) {
-          n.slope[k] = n.area[k] * std::max(0.0, (first_[k] - second_[k]) / rise);
-        }
-      }
-      for (std::size_t k = 0; k < count; ++k) {
-        n.rate[k] = n.area[k] * first_[k];
-      }
+      evaluate_flux(*flux, n);
     } else if (const auto* convection = std::get_if<Convection>(&laws_[law])) {
-      fill(convection->coefficient, first_);
-      fill(convection->ambient, second_);
-      for (std::size_t k = 0; k < count; ++k) {
-        n.slope[k] = n.area[k] * first_[k];
-        n.rate[k] = n.slope[k] * (second_[k] - n.state[k]);
-      }
+      evaluate_convection(*convection, n);
     } else if (const auto* radiation = std::get_if<Radiation>(&laws_[law])) {
-      fill(radiation->emissivity, first_);
-      fill(radiation->ambient, second_);
-      for (std::size_t k = 0; k < count; ++k) {
-        const double factor = n.area[k] * first_[k] * radiation->stefan_boltzmann;
-        const double state = std::max(n.state[k], 0.0);
-        n.rate[k] = factor * (fourth_power(second_[k]) - fourth_power(state));
-        n.slope[k] = 4.0 * factor * state * state * state;
-      }
+      evaluate_radiation(*radiation, n);
     } else {
-      fill(std::get<PrescribedTemperature>(laws_[law]).value, first_);
-      for (std::size_t k = 0; k < count; ++k) {
-        n.slope[k] = 0.0;
-        const double conductance = n.area[k] * n.conductance[k];
-        for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
-          n.slope[k] += n.probe[c].first == n.node[k] ? conductance * n.probe[c].second : 0.0;
-        }
-        n.rate[k] = conductance * (first_[k] - n.state[k]);
-      }
+      fill(std::get<PrescribedTemperature>(laws_[law]).value, n, second_);
+      evaluate_held(n);
+    }
+    if (absolute && !std::holds_alternative<PrescribedFlux>(laws_[law])) {
+      require_absolute(law, second_);
+    }
+  }
+}
+
+template <int Dim>
+void HeatLaws<Dim>::evaluate_flux(const PrescribedFlux& law, Nodes& n) {
+  fill(law.value, n, first_);
+  std::fill(n.slope.begin(), n.slope.end(), 0.0);
+  if (law.value.is_function()) {
+    // The slope of a function, by a difference: a flux that falls with the temperature is taken at
+    // the end of the step like convection.
+    double span = 1.0;
+    for (const double state : n.state) {
+      span = std::max(span, std::abs(state));
+    }
+    const double rise = 1e-6 * span;
+    std::vector<double> warmer(n.state);
+    for (double& state : warmer) {
+      state += rise;
+    }
+    law.value.evaluate_mean(n.position, warmer, begin_, end_, second_);
+    for (std::size_t k = 0; k < n.slope.size(); ++k) {
+      n.slope[k] = n.area[k] * std::max(0.0, (first_[k] - second_[k]) / rise);
+    }
+  }
+  for (std::size_t k = 0; k < n.rate.size(); ++k) {
+    n.rate[k] = n.area[k] * first_[k];
+  }
+}
+
+template <int Dim>
+void HeatLaws<Dim>::evaluate_convection(const Convection& law, Nodes& n) {
+  fill(law.coefficient, n, first_);
+  fill_ambient(law.coefficient, law.ambient, 1, n, second_);
+  for (std::size_t k = 0; k < n.rate.size(); ++k) {
+    n.slope[k] = n.area[k] * first_[k];
+    n.rate[k] = n.slope[k] * (second_[k] - n.state[k]);
+  }
+}
+
+template <int Dim>
+void HeatLaws<Dim>::evaluate_radiation(const Radiation& law, Nodes& n) {
+  fill(law.emissivity, n, first_);
+  fill_ambient(law.emissivity, law.ambient, 4, n, second_);
+  for (std::size_t k = 0; k < n.rate.size(); ++k) {
+    const double factor = n.area[k] * first_[k] * law.stefan_boltzmann;
+    const double own = std::max(n.state[k] - zero_, 0.0), far = second_[k] - zero_;
+    const double secant = factor * (far * far + own * own) * (far + own);
+    n.rate[k] = secant * (far - own);
+    n.slope[k] = secant_ ? secant : 4.0 * factor * own * own * own;
+  }
+}
+
+template <int Dim>
+void HeatLaws<Dim>::evaluate_held(Nodes& n) {
+  constexpr std::size_t corners = 1 << Dim;
+  for (std::size_t k = 0; k < n.rate.size(); ++k) {
+    n.slope[k] = 0.0;
+    const double conductance = n.area[k] * n.conductance[k];
+    for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
+      n.slope[k] += n.probe[c].first == n.node[k] ? conductance * n.probe[c].second : 0.0;
+    }
+    n.rate[k] = conductance * (second_[k] - n.state[k]);
+  }
+}
+
+template <int Dim>
+void HeatLaws<Dim>::require_absolute(std::size_t law, std::span<const double> values) const {
+  for (const double value : values) {
+    if (value < zero_) {
+      throw RunError(message("heat: ", name_of_law(laws_[law], law), " gave ", value,
+                             ", below absolute zero at ", zero_,
+                             ": temperatures under radiation are absolute"));
     }
   }
 }
