@@ -14,6 +14,7 @@
 #include "lapilli/scene/keys.hpp"
 #include "lapilli/scene/run_scene.hpp"
 #include "lapilli/scene/scene_file.hpp"
+#include "lapilli/scene/validate_heat.hpp"
 #include "progress.hpp"
 
 namespace {
@@ -103,6 +104,9 @@ int run_scene(const Arguments& given) {
   if (given.check) {
     std::fputs(text_of(check(scene)).c_str(), stdout);
     return finished;
+  }
+  for (const std::string& warning : heat_warnings(scene)) {
+    std::fprintf(stderr, "note: %s\n", warning.c_str());
   }
   const std::unique_ptr<Simulation> simulation = build(scene);
   ProgressLine line(given.quiet);

@@ -7,6 +7,7 @@
 #include "lapilli/scene/member_types.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/resolve_files.hpp"
+#include "lapilli/scene/validate_heat.hpp"
 #include "lapilli/scene/validate_peridynamics.hpp"
 
 namespace lapilli {
@@ -236,6 +237,7 @@ void validate(const Scene& as_written) {
     check_quasi_static(scene);
   }
   validate_peridynamics(scene);
+  validate_heat(scene);
   for (std::size_t k = 0; k < scene.monitors.size(); ++k) {
     check_dimension(scene, scene.monitors[k].position, message("monitors.", k, ".position"));
   }

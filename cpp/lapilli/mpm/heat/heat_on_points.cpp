@@ -30,7 +30,7 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
       capacity_(points, 1),
       order_(problem_.grid, support_of(problem_.shape)),
       grid_(problem_.grid, problem_.shape, coefficients_, !problem_.settings.boundaries.empty()),
-      laws_(problem_.settings.boundaries) {
+      laws_(problem_.settings.boundaries, absolute_zero(problem_.settings)) {
   require(transfer_ != HeatTransfer::kept,
           "heat.transfer = \"kept\" needs points at rest that no method \"particle\" reads");
   require(!affine_ || problem_.shape != ShapeFunction::linear, "heat.transfer = \"",
@@ -42,6 +42,8 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
   order_.update(points_);
   const std::vector<double> capacity = point_capacities(points_, problem_.bodies);
   const std::vector<double> start = initial_temperatures(points_, problem_.bodies);
+  require_absolute(problem_, points_, start);
+  range_ = diverged_beyond(problem_, start);
   std::copy(capacity.begin(), capacity.end(), capacity_.data());
   std::copy(start.begin(), start.end(), temperature_.data());
   if (affine_) {
@@ -63,6 +65,12 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
   if (HeatSource<Dim>::is_present(problem_.bodies)) {
     source_.emplace(problem_.bodies);
   }
+  if (transfer_ == HeatTransfer::flip) {
+    const NodalOperators<Dim> operators =
+        assemble_operators(points_, problem_, coefficients_, capacity, true);
+    carried_limit_ =
+        2.0 / fastest_carried_rate(*operators.conduction, *operators.capacity, operators.lumped);
+  }
   bound_step();
   project_to_grid();
   if (!laws_.empty()) {
@@ -79,6 +87,20 @@ void HeatOnPoints<Dim>::bound_step() {
   }
   limited_ordering_ = points_.ordering();
   limit_ = explicit_step_limit(points_, problem_, coefficients_, capacity_.values(), transfer_);
+  if (limit_.hard > carried_limit_) {
+    limit_.automatic *= carried_limit_ / limit_.hard;
+    limit_.hard = carried_limit_;
+  }
+}
+
+template <int Dim>
+StepLimit HeatOnPoints<Dim>::step_limit() const {
+  StepLimit limit = limit_;
+  if (growth_ > 0.0 && 0.2 / growth_ < limit.automatic) {
+    limit.automatic = 0.2 / growth_;
+    limit.reason = "a source that heats itself";
+  }
+  return limit;
 }
 
 template <int Dim>
@@ -86,10 +108,11 @@ StepReport HeatOnPoints<Dim>::advance(const Step& step) {
   order_.update(points_);
   bound_step();
   project_to_grid();
+  require_in_range();
   find_surface();
   conduct();
   exchange_with_surroundings(step);
-  solve_nodes(step.size);
+  solve_nodes(step);
   update_points(step);
   if (step.look || step.index % 128 == 0) {
     require_finite();
@@ -135,15 +158,6 @@ void HeatOnPoints<Dim>::conduct() {
 
 template <int Dim>
 void HeatOnPoints<Dim>::exchange_with_surroundings(const Step& step) {
-  if (source_) {
-    source_->assign(points_, problem_, coefficients_.half_width);
-    double heat = 0.0;
-    source_->for_each(grid_.temperature, step.time, [&](Index node, double rate) {
-      grid_.rate[node] += rate;
-      heat += step.size * rate;
-    });
-    source_->book(heat);
-  }
   if (laws_.empty()) {
     return;
   }
@@ -151,12 +165,12 @@ void HeatOnPoints<Dim>::exchange_with_surroundings(const Step& step) {
     exchange_at_points(step);
     return;
   }
-  laws_.evaluate(grid_.temperature, step.time);
+  laws_.evaluate_over(grid_.temperature, step.time, step.time + step.size);
 }
 
 template <int Dim>
 void HeatOnPoints<Dim>::exchange_at_points(const Step& step) {
-  laws_.evaluate(temperature_.values(), step.time);
+  laws_.evaluate_over(temperature_.values(), step.time, step.time + step.size);
   for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
     const auto& n = laws_.nodes()[law];
     double heat = 0.0;
@@ -176,7 +190,42 @@ void HeatOnPoints<Dim>::exchange_at_points(const Step& step) {
 }
 
 template <int Dim>
-void HeatOnPoints<Dim>::solve_nodes(double step) {
+void HeatOnPoints<Dim>::heat_by_sources(const Step& step) {
+  if (!source_) {
+    return;
+  }
+  source_->assign(points_, problem_, coefficients_.half_width);
+  double heat = 0.0;
+  growth_ = 0.0;
+  for (const auto& n :
+       source_->evaluate_over(grid_.temperature, step.time, step.time + step.size)) {
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      const double capacity = grid_.capacity[n.node[k]];
+      if (!(capacity > 0.0)) {
+        continue;
+      }
+      // As the laws of the surface, at the end of the step where the source restores.
+      const double slope = std::max(n.slope[k], 0.0);
+      double& increment = grid_.increment[n.node[k]];
+      const double rise =
+          step.size * (n.rate[k] - slope * increment) / (capacity + step.size * slope);
+      increment += rise;
+      heat += capacity * rise;
+      growth_ = std::max(growth_, -n.slope[k] / capacity);
+    }
+  }
+  source_->book(heat);
+  if (growth_ * step.size > 1.0) {
+    throw RunError(
+        message("heat: a source rises with the temperature so fast that it heats itself "
+                "e-fold in ",
+                1.0 / growth_, " s, less than the step of ", step.size, " s; take smaller steps"));
+  }
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::solve_nodes(const Step& now) {
+  const double step = now.size;
   grid_.for_active_nodes([&, step](Index begin, Index end) {
     const double* capacity = grid_.capacity.data();
     const double* rate = grid_.rate.data();
@@ -185,6 +234,7 @@ void HeatOnPoints<Dim>::solve_nodes(double step) {
       increment[node] = capacity[node] > 0.0 ? step * rate[node] / capacity[node] : 0.0;
     }
   });
+  heat_by_sources(now);
   if (problem_.settings.method == FluxMethod::particle) {
     return;
   }
