@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "lapilli/core/physics.hpp"
@@ -9,6 +10,7 @@
 #include "lapilli/mpm/grid.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
 #include "lapilli/mpm/nodal_surface.hpp"
+#include "lapilli/mpm/prescribed_motion.hpp"
 #include "lapilli/mpm/wall_contact.hpp"
 #include "lapilli/mpm/weights.hpp"
 
@@ -32,6 +34,7 @@ struct HeatProblem {
   DistanceFunction distance;  // signed distance to the union of the bodies; may be empty
   bool moving = false;        // whether another physics moves the points
   ContactFaces walls{};       // faces of the grid that bodies rest against: no heat passes there
+  std::optional<Motion> frame{};  // the one prescribed motion of all bodies, where they share one
 };
 
 /// The heat solver a scene needs: nodal operators assembled once where points rest and the transfer
