@@ -203,7 +203,7 @@ std::vector<Field> PeridynamicHeat::fields() {
 std::vector<Ledger> PeridynamicHeat::ledgers() const {
   const double now = stored();
   const double before = started_ ? initial_ : now;
-  Ledger ledger{"heat", "J", before, now, {}, span()};
+  Ledger ledger{"heat", "J", before, now, {}, span(), 1e-6};
   for (std::size_t k = 0; k < from_walls_.size(); ++k) {
     ledger.entries.push_back({message("wall ", walls_->walls()[k].settings.name), taken_in_[k]});
   }
