@@ -37,6 +37,9 @@ class HeatLaws {
     // Held temperatures only:
     std::vector<double> conductance;              // conductivity / probe depth, W/(m^2 K)
     std::vector<std::pair<Index, double>> probe;  // 2^dim nodes and weights an entry
+    // Where laws act on the temperature of the surface itself: nodes and weights of every entry.
+    std::vector<std::pair<Index, double>> trace;
+    std::vector<std::size_t> trace_begin;  // one more than entries
   };
 
   /// `absolute_zero` in the unit of the temperatures: 0 in K, -273.15 in degrees Celsius.
@@ -57,6 +60,13 @@ class HeatLaws {
   /// active: a thin plate has fewer there. `conductivity` is the nodal n.k.n (W/(m K)).
   void place_probes(const Grid<Dim>& grid, const std::function<bool(Index)>& is_active,
                     const std::function<double(Index, const Vec<Dim>&)>& conductivity);
+
+  /// Let laws act on the temperature of the surface itself, trace(position, node) of every entry;
+  /// a prescribed temperature becomes an exchange of `hold` times conductivity / cell.
+  void place_traces(
+      const Grid<Dim>& grid,
+      const std::function<std::vector<std::pair<Index, double>>(const Vec3&, Index)>& trace,
+      const std::function<double(Index, const Vec<Dim>&)>& conductivity, double hold);
 
   /// Replace every node number by number(node), for temperatures stored in another order.
   template <class Number>
@@ -116,8 +126,8 @@ class HeatLaws {
   std::vector<HeatBoundary> laws_;
   std::vector<Nodes> nodes_;
   std::vector<Account> account_;
-  double zero_ = 0.0;                // absolute zero in the scene's unit
-  double begin_ = 0.0, end_ = 0.0;   // s, the span of time being evaluated
+  double zero_ = 0.0;               // absolute zero in the scene's unit
+  double begin_ = 0.0, end_ = 0.0;  // s, the span of time being evaluated
   bool secant_ = false;
   std::vector<double> first_, second_;  // scratch of evaluate
 };

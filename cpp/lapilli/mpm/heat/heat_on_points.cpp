@@ -13,6 +13,13 @@
 namespace lapilli {
 namespace {
 
+// Exchange from which the temperature of the surface itself counts, coefficient h / conductivity:
+// below it, the temperatures of the nodes around serve as well and cost less.
+constexpr double strong = 0.05;
+// Exchange that stands for a prescribed temperature, in conductivity / cell: ten times more would
+// take ten times the rounds, for a heat that is right to half a percent in either case.
+constexpr double hold = 100.0;
+
 HeatTransfer chosen_transfer(const HeatSettings& settings) {
   return settings.transfer == HeatTransfer::automatic ? HeatTransfer::affine : settings.transfer;
 }
@@ -52,6 +59,9 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
     map_initial(points_, problem_, coefficients_, capacity, start, &gradient);
     std::copy(gradient.begin(), gradient.end(), gradient_->data());
   }
+  at_surface_ = transfer_ == HeatTransfer::affine && problem_.settings.implicit_exchange &&
+                problem_.settings.method == FluxMethod::virtual_flux &&
+                (laws_.has_held_temperature() || exchanges_strongly(problem_, strong));
   if (!laws_.empty()) {
     surface_ = std::make_unique<HeatSurface<Dim>>(points_, problem_);
     if (transfer_ == HeatTransfer::flip && problem_.settings.implicit_exchange) {
@@ -76,6 +86,9 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
   if (!laws_.empty()) {
     find_surface();
     laws_.require_all_used();
+  }
+  if (source_ && source_->depends_on_state()) {
+    find_growth(0.0);
   }
   initial_ = ledgers().front().stored;
 }
@@ -117,7 +130,7 @@ StepReport HeatOnPoints<Dim>::advance(const Step& step) {
   if (step.look || step.index % 128 == 0) {
     require_finite();
   }
-  return {step.size, 0, 0.0};
+  return {step.size, iterations_, 0.0};
 }
 
 template <int Dim>
@@ -138,8 +151,12 @@ void HeatOnPoints<Dim>::find_surface() {
     laws_.assign(problem_.grid, areas, [&] { return projected_places<Dim>(areas); });
     return;
   }
-  const NodalAreas<Dim> areas = surface_->areas(points_, coefficients_, grid_.sums);
+  NodalAreas<Dim> areas = surface_->areas(points_, coefficients_, grid_.sums);
   negative_share_ = areas.negative_share();
+  if (at_surface_) {
+    find_surface_itself(areas);
+    return;
+  }
   laws_.assign(problem_.grid, areas, [&] {
     return surface_places<Dim>(problem_.grid, points_, problem_.shape, coefficients_.half_width,
                                areas);
@@ -152,116 +169,24 @@ void HeatOnPoints<Dim>::find_surface() {
 }
 
 template <int Dim>
+void HeatOnPoints<Dim>::find_surface_itself(NodalAreas<Dim>& areas) {
+  const auto places =
+      surface_places<Dim>(problem_.grid, points_, problem_.shape, coefficients_.half_width, areas);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    areas.position[k] = places[k].centre;
+  }
+  laws_.assign(problem_.grid, areas, [&] { return places; });
+  const auto trace = [&](const Vec3& place, Index node) {
+    return surface_trace<Dim>(problem_.grid, problem_.shape, coefficients_.half_width.front(),
+                              place.template head<Dim>(), grid_.sums.fraction, node);
+  };
+  laws_.place_traces(problem_.grid, trace,
+                     nodal_conductivity(points_, problem_, coefficients_, grid_.sums), hold);
+}
+
+template <int Dim>
 void HeatOnPoints<Dim>::conduct() {
   grid_.conduct(points_, order_);
-}
-
-template <int Dim>
-void HeatOnPoints<Dim>::exchange_with_surroundings(const Step& step) {
-  if (laws_.empty()) {
-    return;
-  }
-  if (problem_.settings.method == FluxMethod::particle) {
-    exchange_at_points(step);
-    return;
-  }
-  laws_.evaluate_over(grid_.temperature, step.time, step.time + step.size);
-}
-
-template <int Dim>
-void HeatOnPoints<Dim>::exchange_at_points(const Step& step) {
-  laws_.evaluate_over(temperature_.values(), step.time, step.time + step.size);
-  for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
-    const auto& n = laws_.nodes()[law];
-    double heat = 0.0;
-    for (std::size_t k = 0; k < n.node.size(); ++k) {
-      const Index row = n.node[k];
-      heat += step.size * n.rate[k];
-      with_shape(problem_.shape, coefficients_.half_width[points_.body()[row]], [&](auto shape) {
-        const Weights<Dim, decltype(shape)> weights(problem_.grid, shape,
-                                                    points_.position().data() + row * Dim);
-        weights.for_each_node(problem_.grid, [&](Index node, double s, const Vec<Dim>&) {
-          grid_.rate[node] += s * n.rate[k];
-        });
-      });
-    }
-    laws_.book(law, heat);
-  }
-}
-
-template <int Dim>
-void HeatOnPoints<Dim>::heat_by_sources(const Step& step) {
-  if (!source_) {
-    return;
-  }
-  source_->assign(points_, problem_, coefficients_.half_width);
-  double heat = 0.0;
-  growth_ = 0.0;
-  for (const auto& n :
-       source_->evaluate_over(grid_.temperature, step.time, step.time + step.size)) {
-    for (std::size_t k = 0; k < n.node.size(); ++k) {
-      const double capacity = grid_.capacity[n.node[k]];
-      if (!(capacity > 0.0)) {
-        continue;
-      }
-      // As the laws of the surface, at the end of the step where the source restores.
-      const double slope = std::max(n.slope[k], 0.0);
-      double& increment = grid_.increment[n.node[k]];
-      const double rise =
-          step.size * (n.rate[k] - slope * increment) / (capacity + step.size * slope);
-      increment += rise;
-      heat += capacity * rise;
-      growth_ = std::max(growth_, -n.slope[k] / capacity);
-    }
-  }
-  source_->book(heat);
-  if (growth_ * step.size > 1.0) {
-    throw RunError(
-        message("heat: a source rises with the temperature so fast that it heats itself "
-                "e-fold in ",
-                1.0 / growth_, " s, less than the step of ", step.size, " s; take smaller steps"));
-  }
-}
-
-template <int Dim>
-void HeatOnPoints<Dim>::solve_nodes(const Step& now) {
-  const double step = now.size;
-  grid_.for_active_nodes([&, step](Index begin, Index end) {
-    const double* capacity = grid_.capacity.data();
-    const double* rate = grid_.rate.data();
-    double* increment = grid_.increment.data();
-    for (Index node = begin; node < end; ++node) {
-      increment[node] = capacity[node] > 0.0 ? step * rate[node] / capacity[node] : 0.0;
-    }
-  });
-  heat_by_sources(now);
-  if (problem_.settings.method == FluxMethod::particle) {
-    return;
-  }
-  for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
-    const auto& n = laws_.nodes()[law];
-    double heat = 0.0;
-    for (std::size_t k = 0; k < n.node.size(); ++k) {
-      const double capacity = grid_.capacity[n.node[k]];
-      if (!(capacity > 0.0)) {
-        continue;
-      }
-      // The law at the end of the step: (C + dt slope) dT = dt (others + rate). In this form the
-      // heat stays exact where a stiff law leaves a small difference of large rates.
-      const double slope = problem_.settings.implicit_exchange ? n.slope[k] : 0.0;
-      double& increment = grid_.increment[n.node[k]];
-      const double rise = step * (n.rate[k] - slope * increment) / (capacity + step * slope);
-      if (!relaxation_.empty() && n.area[k] > 0.0) {
-        const double biot = slope / n.area[k] * problem_.grid.cell_size() / conductivity_;
-        relaxation_[n.node[k]] =
-            std::clamp(biot - 1.0, 0.0, 1.0) * step * slope / (capacity + step * slope);
-        relaxes_ = relaxes_ || biot > 1.0;
-      }
-      increment += rise;
-      heat += capacity * rise;
-    }
-    laws_.book(law, heat);
-  }
 }
 
 template <int Dim>
@@ -277,33 +202,6 @@ double HeatOnPoints<Dim>::blend(double step) const {
     default:
       return 1.0;
   }
-}
-
-template <int Dim>
-void HeatOnPoints<Dim>::relax_points() {
-  if (!relaxes_) {
-    return;
-  }
-  // T_p += sum S_I beta_I (T_I - T_p) keeps the heat of every node; with the increment
-  // beta_I (ambient - T_I) of the law, what a point carries becomes a mean of itself and ambient.
-  parallel_for(points_.size(), [&](Index row) {
-    const std::size_t body = points_.body()[row];
-    with_shape(problem_.shape, coefficients_.half_width[body], [&](auto shape) {
-      const Weights<Dim, decltype(shape)> weights(problem_.grid, shape,
-                                                  points_.position().data() + row * Dim);
-      double change = 0.0;
-      weights.for_each_node(problem_.grid, [&](Index node, double s, const Vec<Dim>&) {
-        change += s * relaxation_[node] * (grid_.temperature[node] - temperature_[row]);
-      });
-      temperature_[row] += change;
-    });
-  });
-  for (const auto& n : laws_.nodes()) {
-    for (const Index node : n.node) {
-      relaxation_[node] = 0.0;
-    }
-  }
-  relaxes_ = false;
 }
 
 template <int Dim>

@@ -11,6 +11,7 @@
 #include "lapilli/mpm/heat/heat_source.hpp"
 #include "lapilli/mpm/heat/heat_surface.hpp"
 #include "lapilli/mpm/heat/point_grid_transfer.hpp"
+#include "lapilli/mpm/heat/surface_trace.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
 
 namespace lapilli {
@@ -53,6 +54,7 @@ class HeatOnPoints final : public Physics, public HasSurface {
   // The phases of a step.
   void project_to_grid();
   void find_surface();
+  void find_surface_itself(NodalAreas<Dim>& areas);
   void conduct();
   void exchange_with_surroundings(const Step& step);
   void solve_nodes(const Step& now);
@@ -61,6 +63,7 @@ class HeatOnPoints final : public Physics, public HasSurface {
 
   void exchange_at_points(const Step& step);
   void heat_by_sources(const Step& step);
+  void find_growth(double time);
   double blend(double step) const;
   void show(const std::vector<double>& nodal);
   void require_finite() const;
@@ -78,6 +81,9 @@ class HeatOnPoints final : public Physics, public HasSurface {
   PointGridTransfer<Dim> grid_;
   HeatLaws<Dim> laws_;
   std::unique_ptr<HeatSurface<Dim>> surface_;
+  bool at_surface_ = false;  // laws act on the temperature of the surface itself
+  SurfaceSystem<Dim> surface_system_;
+  int iterations_ = 0;
   std::pair<Index, Index> surface_found_{-1, -1};  // version and ordering of the points
   std::optional<HeatSource<Dim>> source_;
   // FLIP under strong exchange (coefficient h / conductivity > 1): the share of the gap to the

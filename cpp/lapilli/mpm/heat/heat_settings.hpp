@@ -179,8 +179,7 @@ struct HeatSettings {
     visit(Key("theta").range(0.5, 1.0).text("implicitness of the theta scheme"), self.theta);
     visit(Key("solver").text("linear solver of the theta scheme"), self.solver);
     visit(Key("temperature_unit")
-              .absent("kelvin")
-              .text("unit of all temperatures; radiation needs absolute ones"),
+              .text("unit of all temperatures, kelvin unless said; radiation needs absolute ones"),
           self.unit);
     visit(Key("blend").range(0.0, 1e3).text("c of the step-scaled blend 1 - exp(-c dt alpha/h^2)"),
           self.blend);

@@ -6,21 +6,9 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/nodal_assembly.hpp"
+#include "lapilli/mpm/heat/temperature_range.hpp"
 
 namespace lapilli {
-namespace {
-
-/// The largest value a constant or a table takes; infinite for a function.
-double largest(const Value& value) {
-  if (value.is_function()) {
-    return std::numeric_limits<double>::infinity();
-  }
-  const auto* table = std::get_if<Table>(&value.form());
-  return table == nullptr ? value.at(0.0)
-                          : *std::max_element(table->values.begin(), table->values.end());
-}
-
-}  // namespace
 
 template <int Dim>
 double fastest_rate(const StencilMatrix<Dim>& conduction, std::span<const double> lumped,
@@ -120,21 +108,24 @@ double carried_limit(HeatTransfer transfer, ShapeFunction shape) {
 }
 
 template <int Dim>
-bool exchanges_strongly(const HeatProblem<Dim>& problem) {
+bool exchanges_strongly(const HeatProblem<Dim>& problem, double bound) {
   double conductivity = std::numeric_limits<double>::infinity();
+  const double zero = absolute_zero(problem.settings);
+  double hottest = 0.0;  // K
   for (const HeatBody& body : problem.bodies) {
     conductivity = std::min(conductivity, largest_conductivity(body.material));
+    hottest = std::max(hottest, body.temperature.largest() - zero);
   }
   const auto& laws = problem.settings.boundaries;
   return std::any_of(laws.begin(), laws.end(), [&](const HeatBoundary& law) {
     double coefficient = 0.0;
     if (const auto* convection = std::get_if<Convection>(&law)) {
-      coefficient = largest(convection->coefficient);
+      coefficient = convection->coefficient.largest();
     } else if (const auto* radiation = std::get_if<Radiation>(&law)) {
-      coefficient = 4.0 * largest(radiation->emissivity) * radiation->stefan_boltzmann *
-                    std::pow(largest(radiation->ambient), 3);
+      coefficient = 4.0 * radiation->emissivity.largest() * radiation->stefan_boltzmann *
+                    std::pow(std::max(hottest, radiation->ambient.largest() - zero), 3);
     }
-    return coefficient * problem.grid.cell_size() > conductivity;
+    return coefficient * problem.grid.cell_size() > bound * conductivity;
   });
 }
 
@@ -182,7 +173,7 @@ StepLimit explicit_step_limit(const Points& points, const HeatProblem<Dim>& prob
   template double fastest_carried_rate(const StencilMatrix<Dim>&, const StencilMatrix<Dim>&,    \
                                        std::span<const double>);                                \
   template double fastest_node(const StencilMatrix<Dim>&, std::span<const double>);             \
-  template bool exchanges_strongly(const HeatProblem<Dim>&);                                    \
+  template bool exchanges_strongly(const HeatProblem<Dim>&, double);                            \
   template StepLimit explicit_step_limit(const Points&, const HeatProblem<Dim>&,                \
                                          const HeatCoefficients<Dim>&, std::span<const double>, \
                                          HeatTransfer);
