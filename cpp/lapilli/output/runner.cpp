@@ -87,6 +87,13 @@ RunStatus step_to_end(Simulation& simulation, const RunOptions& options,
   return status;
 }
 
+void require_closed_balances(const Simulation& simulation) {
+  const std::string wrong = open_balances(simulation.ledgers());
+  if (!wrong.empty()) {
+    throw RunError("at the end: " + wrong);
+  }
+}
+
 /// Record a failure; a disk that fails here too must not hide the reason of the first failure.
 void record_failure(RunFiles& files, const RunStatistics& statistics, const std::string& reason) {
   try {
@@ -109,6 +116,9 @@ RunSummary run(Simulation& simulation, const RunOptions& options) {
   }
   try {
     const RunStatus status = step_to_end(simulation, options, schedule, files, measure.now());
+    if (status == RunStatus::finished) {
+      require_closed_balances(simulation);
+    }
     files.write_record(status == RunStatus::finished ? "finished" : "interrupted", measure.now());
     return {status,        simulation.time(), files.frames(),
             measure.now(), files.notes(),     files.history()};

@@ -1,7 +1,9 @@
 #include "lapilli/scene/check.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "lapilli/core/require.hpp"
@@ -9,6 +11,7 @@
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
+#include "lapilli/scene/validate_heat.hpp"
 
 namespace lapilli {
 namespace {
@@ -81,6 +84,7 @@ void describe_heat(const Scene& scene, CheckReport& report) {
   for (const HeatBoundary& law : scene.heat->boundaries) {
     ++laws[law.index()];
   }
+  std::ranges::copy(heat_warnings(scene), std::back_inserter(report.notes));
   const char* names[4] = {"prescribed flux", "convection", "radiation", "prescribed temperature"};
   for (int k = 0; k < 4; ++k) {
     if (laws[k] > 0) {

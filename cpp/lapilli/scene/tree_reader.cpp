@@ -175,9 +175,8 @@ void TreeReader::read_value(const Tree& tree, const Key& key, const std::string&
          message("needs as many values as times, got ", in_time.values.size(), " and ",
                  in_time.times.size()));
   }
-  if (std::adjacent_find(in_time.times.begin(), in_time.times.end(), std::greater<>()) !=
-      in_time.times.end()) {
-    fail(tree, joined_path(path, "times"), "must not decrease");
+  if (!in_time.is_ordered()) {
+    fail(tree, joined_path(path, "times"), "must increase; two equal times, not three, are a jump");
   }
   value = Value(std::move(in_time));
 }

@@ -11,6 +11,7 @@
 #include "lapilli/mpm/grid.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
 #include "lapilli/mpm/nodal_surface.hpp"
+#include "lapilli/mpm/prescribed_motion.hpp"
 #include "lapilli/mpm/wall_contact.hpp"
 #include "lapilli/mpm/weights.hpp"
 
@@ -35,6 +36,7 @@ struct HeatProblem {
   DistanceFunction distance;  // signed distance to the union of the bodies; may be empty
   bool moving = false;        // whether another physics moves the points
   ContactFaces walls{};       // faces of the grid that bodies rest against: no heat passes there
+  std::optional<Motion> frame{};  // the one prescribed motion of all bodies, where they share one
 };
 
 /// The heat solver a scene needs: operators integrated over the shapes where bodies rest and have

@@ -111,7 +111,8 @@ Vec3 Momentum<Dim>::angular_momentum() const {
 
 template <int Dim>
 std::vector<Ledger> Momentum<Dim>::ledgers() const {
-  const double stored = kinetic_ + potential_energy() + elastic_energy_stored();
+  const double elastic = elastic_energy_stored();
+  const double stored = kinetic_ + potential_energy() + elastic;
   std::vector<Ledger> all;
   all.push_back({"energy",
                  "J",
@@ -122,7 +123,7 @@ std::vector<Ledger> Momentum<Dim>::ledgers() const {
                   {"wall impact", -flows_.impact},
                   {"transfer", -flows_.transfer},
                   {"strain transfer", -flows_.strain}},
-                 kinetic_});
+                 kinetic_ + elastic});
   if (data_.free_strain) {
     all.back().entries.push_back({"expansion", flows_.expansion});
   }
