@@ -199,6 +199,8 @@ def run_command(given: argparse.Namespace) -> int:
             f"{result.simulation.step_index} steps in {readable_time(summary.wall_seconds)}; "
             f"{summary.frames} frames in {output}"
         )
+        for warning in result.warnings:
+            print(f"warning: {warning}")
         for ledger in result.ledger.values():
             print(
                 f"{ledger.quantity}: {ledger.taken_in:.6g} {ledger.unit} came in, "

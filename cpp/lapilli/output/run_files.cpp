@@ -27,6 +27,7 @@ void RunFiles::begin() {
   std::error_code ignored;
   std::filesystem::remove(checkpoint_path(options_.output), ignored);
   writer_.emplace(options_.output, schedule_.planned());
+  stepped_ = simulation_.time();
   write_frame(true);
   write_record("running", {});
   write_checkpoint({});
@@ -46,6 +47,7 @@ void RunFiles::resume(RunStatistics& statistics) {
   kept_frames_ = checkpoint.state.read_index("run/frames");
   record_.history.load(checkpoint.state, simulation_);
   record_.history.cut(kept_frames_);
+  stepped_ = time;
   writer_ = VtkhdfWriter::resume(options_.output, kept_frames_, schedule_.planned());
   write_record("running", statistics);
 }
@@ -54,7 +56,10 @@ void RunFiles::after_step(const RunStatistics& statistics) {
   if (!is_writing()) {
     return;
   }
-  const bool due = schedule_.is_due(simulation_.time(), simulation_.step_index());
+  const double time = simulation_.time();
+  const bool due =
+      schedule_.is_due(time, simulation_.step_index()) || schedule_.is_passed(stepped_, time);
+  stepped_ = time;
   if (due) {
     write_frame(true);
     keep_record(statistics);
