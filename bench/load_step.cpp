@@ -6,8 +6,8 @@
 #include <ctime>
 #include <vector>
 
+#include "lapilli/geometry/cell_fill.hpp"
 #include "lapilli/geometry/fill.hpp"
-#include "lapilli/mpm/quasi_static/cut_fill.hpp"
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
 
 using namespace lapilli;
@@ -33,7 +33,7 @@ void measure(int cells) {
   const Grid<2> grid(Vec<2>(0.0, 0.0), Vec<2>(1.0, 1.0), h);
   const Shape block = Box{{low, low}, {high, high}};
   Points points(2);
-  const FilledPoints filled = fill_exactly(block, Lattice{Vec3::Zero(), h, 2}, 2);
+  const FilledPoints filled = fill_cells(block, Lattice{Vec3::Zero(), h, 2}, {}, 2);
   points.append(filled.position, filled.volume, 0);
   QuasiStaticSettings settings;
   const auto wall = [](const char* name, double x, double y, double out_x, double out_y) {

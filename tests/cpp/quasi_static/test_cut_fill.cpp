@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "lapilli/mpm/quasi_static/cut_fill.hpp"
+#include "lapilli/geometry/cell_fill.hpp"
 #include "quasi_static/scenes.hpp"
 
 using namespace lapilli;
@@ -38,7 +38,7 @@ TEST_CASE("a sphere takes at most 1.3 times the points asked for") {
     for (const double radius : {5.0, 3.1}) {
       const Sphere ball{{0.13, 0.21, 0.34}, radius};
       const FilledPoints points =
-          fill_exactly(ball, Lattice{lattice.lower, lattice.cell, per_axis}, 3);
+          fill_cells(ball, Lattice{lattice.lower, lattice.cell, per_axis}, {}, 3);
       const double volume = 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3);
       const double asked = volume * std::pow(per_axis, 3);
       INFO(points.size() << " points for " << asked);
@@ -58,7 +58,7 @@ TEST_CASE("a turned box keeps its volume, first and second moments to rounding")
   const Mat3 turn = Eigen::AngleAxisd(37.0 * std::numbers::pi / 180.0, axis.normalized()).matrix();
   const Vec3 middle = turn * (low + 0.5 * size);
   for (const int per_axis : {1, 2, 3}) {
-    const Sums sums = sums_of(fill_exactly(box, Lattice{lattice.lower, 1.0, per_axis}, 3));
+    const Sums sums = sums_of(fill_cells(box, Lattice{lattice.lower, 1.0, per_axis}, {}, 3));
     CHECK(sums.volume == Approx(size.prod()).epsilon(1e-12));
     CHECK((sums.first - size.prod() * middle).norm() < 1e-11 * size.prod());
     // Cells that are not cut hold their lattice, which has the mixed moments of the cell about its
@@ -78,7 +78,7 @@ TEST_CASE("points of cut cells lie in their cells") {
     const Shape wedge =
         Intersection{{Box{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}},
                       HalfSpace{{off / 3.0, off / 3.0, off / 3.0}, {1.0, 0.9, 1.1}}}};
-    const FilledPoints points = fill_exactly(wedge, Lattice{Vec3::Zero(), 1.0, 2}, 3);
+    const FilledPoints points = fill_cells(wedge, Lattice{Vec3::Zero(), 1.0, 2}, {}, 3);
     for (const double coordinate : points.position) {
       CHECK(coordinate > 0.0);
       CHECK(coordinate < 1.0);

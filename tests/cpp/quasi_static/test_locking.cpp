@@ -1,7 +1,7 @@
 // Nearly incompressible bodies: as right as others on the same grid.
 #include <catch2/catch.hpp>
 
-#include "lapilli/mpm/quasi_static/cut_fill.hpp"
+#include "lapilli/geometry/cell_fill.hpp"
 #include "quasi_static/scenes.hpp"
 
 using namespace lapilli;
@@ -32,7 +32,7 @@ double lame_error(double poisson, double cell, ShapeFunction shape_function) {
                        cell);
   Points points(Dim);
   const FilledPoints filled =
-      fill_exactly(part, Lattice{Vec3::Constant(-2.0 * cell), cell, 2}, Dim);
+      fill_cells(part, Lattice{Vec3::Constant(-2.0 * cell), cell, 2}, {}, Dim);
   points.append(filled.position, filled.volume, 0);
   QuasiStaticSettings settings;
   for (int axis = 0; axis < Dim; ++axis) {
