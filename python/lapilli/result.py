@@ -95,6 +95,12 @@ class Result:
         record: dict[str, Any] = json.loads(self.output.with_suffix(".json").read_text())
         return record
 
+    @property
+    def warnings(self) -> list[str]:
+        """What each physics says of its last state that is not wrong but not right either; needs
+        the record."""
+        return [warning for physics in self.record["physics"] for warning in physics["warnings"]]
+
 
 def run(
     scene: Scene | str | os.PathLike[str],
