@@ -31,8 +31,8 @@ TEST_CASE("distances from an ellipse are those of a full search") {
       const Vec3 there(0.3 + 3 * std::cos(angle), -0.2 + std::sin(angle), 0);
       least = std::min(least, (there - x).norm());
     }
-    // Steps of the search: 5e-4 along the outline, so 5e-8 in the distance, more close to it.
-    REQUIRE(std::abs(ellipse.distance(x)) == Approx(least).margin(1e-6).epsilon(1e-4));
+    // Half a step of the search is 2.4e-4 long: at a distance d it is 2.8e-8 / d too far.
+    REQUIRE(std::abs(ellipse.distance(x)) == Approx(least).margin(std::min(1e-7 / least, 2.4e-4)));
     require_nearest(ellipse, x);
   }
 }
