@@ -75,8 +75,8 @@ struct Body {
           self.points_per_cell);
     visit(Key("fill").absent("auto").text(
               "points with the volume of their part of the shape, or whole boxes of a lattice; "
-              "automatic: lattice in peridynamics and for the boxes of gimp in heat and momentum, "
-              "otherwise exact"),
+              "automatic: lattice in peridynamic flow and under conditions on the surface of gimp "
+              "points that may move, otherwise exact"),
           self.fill);
     visit(Key("jitter").range(0.0, 0.5).text("random displacement, in spacings of the points"),
           self.jitter);

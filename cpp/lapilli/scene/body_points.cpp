@@ -4,8 +4,10 @@
 
 #include "lapilli/geometry/cell_fill.hpp"
 #include "lapilli/geometry/checks.hpp"
+#include "lapilli/geometry/join_small.hpp"
 #include "lapilli/geometry/sources.hpp"
 #include "lapilli/geometry/support.hpp"
+#include "lapilli/scene/build_peridynamics.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/scene_file.hpp"
 
@@ -72,7 +74,11 @@ FilledPoints filled_shape(const Scene& scene, const Body& body) {
   options.jitter = body.jitter;
   options.random = body.random;
   options.seed = static_cast<std::uint64_t>(body.seed);
-  return fill(*body.shape, lattice, options, dimension);
+  FilledPoints points = fill(*body.shape, lattice, options, dimension);
+  if (options.clip && body.jitter == 0.0 && conducts_at_rest(scene)) {
+    join_small(points, 0.5);  // explicit steps are limited by the smallest
+  }
+  return points;
 }
 
 FilledPoints given_points(const Scene& scene, const Body& body) {
@@ -232,7 +238,9 @@ bool is_filled_exactly(const Scene& scene, const Body& body) {
   // The boxes of GIMP points keep their full width: around the centroids of pieces they no longer
   // tile the body, and fluxes and pressures on its surface stop converging (by .7 % of its area).
   const bool boxes_tile = scene.quasi_static || scene.grid.shape_function != ShapeFunction::gimp;
-  return boxes_tile && !scene.peridynamics;
+  const bool has_conditions = (scene.heat && !scene.heat->boundaries.empty()) ||
+                              (scene.momentum && !scene.momentum->boundaries.empty());
+  return scene.peridynamics ? conducts_at_rest(scene) : boxes_tile || !has_conditions;
 }
 
 std::vector<FilledPoints> fill_bodies(const Scene& scene) {
