@@ -49,7 +49,10 @@ TEST_CASE("ground in space has the distance of its flat parts and the volume of 
   ground.check(3);
   const Vec3 normal = Vec3(-0.5, 0.25, 1.0).normalized();
   for (const Vec3& x : random_points(200, 3, {Vec3(2, 1, 3), Vec3(4, 3, 5)})) {
-    REQUIRE(distance(ground, x) == Approx(normal.dot(x - Vec3(0, 0, 3.0))).margin(1e-12));
+    const double away = normal.dot(x - Vec3(0, 0, 3.0));
+    if (std::abs(away) < 1.0) {  // nearer than to the sides
+      REQUIRE(distance(ground, x) == Approx(away).margin(1e-12));
+    }
   }
   FillOptions options;
   options.clip = true;
