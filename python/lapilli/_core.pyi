@@ -6,7 +6,7 @@ import collections.abc
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'FluidWall', 'Flux', 'FrictionalWall', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'MohrCoulomb', 'Momentum', 'Monitor', 'Newtonian', 'NoSlipWall', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'Pressure', 'Progress', 'QuasiStatic', 'Radiation', 'RollerWall', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
+__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrictionalWall', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeightField', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'MohrCoulomb', 'Momentum', 'Monitor', 'Newtonian', 'NoSlipWall', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'Pressure', 'Progress', 'QuasiStatic', 'Radiation', 'RollerWall', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -220,6 +220,166 @@ class Annulus(Shape):
     @outer.setter
     def outer(self, value: float) -> None:
         ...
+class Ellipse(Shape):
+    """
+    Ellipse in the x-y plane with its axes along x and y; endless along z.
+    
+    Parameters
+    ----------
+    center : collections.abc.Sequence[float], m, default (0.0, 0.0)
+        centre
+    semi_axes : collections.abc.Sequence[float], m, required
+        half lengths along x and y
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, center: collections.abc.Sequence[float] = ..., semi_axes: collections.abc.Sequence[float]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def center(self) -> collections.abc.Sequence[float]:
+        """
+        centre, m
+        """
+    @center.setter
+    def center(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def semi_axes(self) -> collections.abc.Sequence[float]:
+        """
+        half lengths along x and y, m
+        """
+    @semi_axes.setter
+    def semi_axes(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+class Ellipsoid(Shape):
+    """
+    Ellipsoid with its axes along x, y and z.
+    
+    Parameters
+    ----------
+    center : collections.abc.Sequence[float], m, default (0.0, 0.0, 0.0)
+        centre
+    semi_axes : collections.abc.Sequence[float], m, required
+        half lengths along x, y and z
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, center: collections.abc.Sequence[float] = ..., semi_axes: collections.abc.Sequence[float]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def center(self) -> collections.abc.Sequence[float]:
+        """
+        centre, m
+        """
+    @center.setter
+    def center(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def semi_axes(self) -> collections.abc.Sequence[float]:
+        """
+        half lengths along x, y and z, m
+        """
+    @semi_axes.setter
+    def semi_axes(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+class HeightField(Shape):
+    """
+    Ground below heights on a regular grid, down to a flat bottom.
+    
+    Parameters
+    ----------
+    file : str, default ''
+        ESRI ASCII grid of heights, PNG or PGM image
+    values : collections.abc.Sequence[collections.abc.Sequence[float]], default ()
+        heights, rows from the far side, where no file is given
+    spacing : float | None, m, default None
+        between heights; an ESRI grid knows it; above 0 (m)
+    origin : collections.abc.Sequence[float], m, default ()
+        place of the first height of the last row; empty: that of the ESRI grid, or 0; 0 to 2 entries
+    scale : float, m, default 1.0
+        height of one unit; in images that of white; above 0 (m)
+    bottom : float, m, required
+        where the ground ends, below all heights
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, file: str = ..., values: collections.abc.Sequence[collections.abc.Sequence[float]] = ..., spacing: float | None = ..., origin: collections.abc.Sequence[float] = ..., scale: float = ..., bottom: float) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def bottom(self) -> float:
+        """
+        where the ground ends, below all heights, m
+        """
+    @bottom.setter
+    def bottom(self, value: float) -> None:
+        ...
+    @property
+    def file(self) -> str:
+        """
+        ESRI ASCII grid of heights, PNG or PGM image
+        """
+    @file.setter
+    def file(self, value: str) -> None:
+        ...
+    @property
+    def origin(self) -> collections.abc.Sequence[float]:
+        """
+        place of the first height of the last row; empty: that of the ESRI grid, or 0, m
+        """
+    @origin.setter
+    def origin(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def scale(self) -> float:
+        """
+        height of one unit; in images that of white, m
+        """
+    @scale.setter
+    def scale(self, value: float) -> None:
+        ...
+    @property
+    def spacing(self) -> float | None:
+        """
+        between heights; an ESRI grid knows it, m
+        """
+    @spacing.setter
+    def spacing(self, value: float | None) -> None:
+        ...
+    @property
+    def values(self) -> collections.abc.Sequence[collections.abc.Sequence[float]]:
+        """
+        heights, rows from the far side, where no file is given
+        """
+    @values.setter
+    def values(self, value: collections.abc.Sequence[collections.abc.Sequence[float]]) -> None:
+        ...
 class Sphere(Shape):
     """
     Ball.
@@ -407,7 +567,7 @@ class Image(Shape):
     Parameters
     ----------
     file : str, default ''
-        PGM or PPM image
+        PNG, PGM or PPM image
     values : collections.abc.Sequence[collections.abc.Sequence[float]], default ()
         brightness 0 to 1, rows from the top, where no file is given
     pixel : float, m, required
@@ -443,7 +603,7 @@ class Image(Shape):
     @property
     def file(self) -> str:
         """
-        PGM or PPM image
+        PNG, PGM or PPM image
         """
     @file.setter
     def file(self, value: str) -> None:
@@ -2375,8 +2535,8 @@ class Body:
         arrays of points, from a program only
     points_per_cell : int | None, default 'auto'
         points in a full cell, the same number along each axis; from 1 to 1000
-    clip : bool, default False
-        cut the volume of boundary points to the shape
+    fill : typing.Literal['exact', 'lattice'] | None, default 'auto'
+        points with the volume of their part of the shape, or whole boxes of a lattice; automatic: lattice in peridynamics and for the boxes of gimp in heat and momentum, otherwise exact
     jitter : float, default 0.0
         random displacement, in spacings of the points; from 0 to 0.5
     random : bool, default False
@@ -2409,7 +2569,7 @@ class Body:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., clip: bool = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Elastic | Newtonian | MohrCoulomb | ThermalExpansion | PlasticHeating], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., geostatic: Geostatic | None = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
+    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., fill: typing.Literal['exact', 'lattice'] | None | str = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Elastic | Newtonian | MohrCoulomb | ThermalExpansion | PlasticHeating], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., geostatic: Geostatic | None = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -2418,12 +2578,12 @@ class Body:
     def __setstate__(self, members: dict[str, typing.Any]) -> None:
         ...
     @property
-    def clip(self) -> bool:
+    def fill(self) -> typing.Literal['exact', 'lattice'] | None | str:
         """
-        cut the volume of boundary points to the shape
+        points with the volume of their part of the shape, or whole boxes of a lattice; automatic: lattice in peridynamics and for the boxes of gimp in heat and momentum, otherwise exact
         """
-    @clip.setter
-    def clip(self, value: bool) -> None:
+    @fill.setter
+    def fill(self, value: typing.Literal['exact', 'lattice'] | None | str) -> None:
         ...
     @property
     def geostatic(self) -> Geostatic | None:
@@ -3485,6 +3645,10 @@ class Simulation:
     def unit(self, name: str) -> str:
         """
         The unit of a field.
+        """
+    def volumes(self) -> dict[str, tuple[float, float | None]]:
+        """
+        Of each body the volume of its points now and that of its shape, None where it has none; area, length in fewer dimensions.
         """
     @property
     def dimension(self) -> int:
