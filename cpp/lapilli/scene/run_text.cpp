@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "lapilli/core/warnings.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/core/warnings.hpp"
 
 namespace lapilli {
 namespace {
