@@ -21,6 +21,7 @@ struct Known {
 
 constexpr Known known_diagnostics[] = {
     {"surface_area", "m^2", true, "area of the surface that boundary conditions act on"},
+    {"free_surface_area", "m^2", true, "area of all free surface of the bodies' shapes"},
     {"negative_area_share", "", false, "share of negative nodal areas in the surface"},
     {"iterations", "", false, "iterations of the last solve"},
     {"residual", "", false, "relative residual of the last solve"},

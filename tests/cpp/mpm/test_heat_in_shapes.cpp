@@ -90,7 +90,7 @@ TEST_CASE("A disk takes up its heat at any strength of exchange") {
       const double found = heat_taken(simulation);
       INFO("Biot " << biot << (implicit ? ", theta: " : ", explicit: ") << found / reference - 1);
       CHECK(found == Approx(reference).epsilon(biot <= 1.0 ? 0.005 : 0.012));
-      CHECK(diagnostic(simulation, "surface_area") == Approx(2 * M_PI * radius).epsilon(1e-3));
+      CHECK(diagnostic(simulation, "free_surface_area") == Approx(2 * M_PI * radius).epsilon(1e-3));
     }
   }
 }
