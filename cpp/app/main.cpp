@@ -91,7 +91,7 @@ int run_scene(const Arguments& given) {
   }
   const std::unique_ptr<Simulation> simulation = build(scene);
   ProgressLine line(given.quiet);
-  RunOptions options = run_options(scene);
+  RunOptions options = run_options(scene, simulation->points());
   options.resume = given.resume;
   options.progress = [&](const Progress& progress) { line.show(progress); };
   options.interrupted = [] { return stop_asked != 0; };

@@ -51,7 +51,7 @@ class StopFromPython {
 RunSummary run_scene(const py::object& simulation, const py::object& scene, bool resume,
                      const py::object& progress, const py::object& callback) {
   auto& held = simulation.cast<PythonSimulation&>();
-  RunOptions options = run_options(scene_of(scene));
+  RunOptions options = run_options(scene_of(scene), held.get().points());
   options.resume = resume;
   StopFromPython stop(simulation, callback);
   options.interrupted = [&] { return stop(); };

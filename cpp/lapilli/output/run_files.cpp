@@ -23,6 +23,7 @@ RunFiles::RunFiles(Simulation& simulation, const RunOptions& options, const Fram
       options.fingerprint.empty() ? fingerprint(options.scene_text) : options.fingerprint;
   record_.started = utc_now();
   record_.notes = options.notes;
+  record_.volumes = options.volumes;
   record_.frames_file = options.output.filename().string();
 }
 

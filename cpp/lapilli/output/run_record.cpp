@@ -70,6 +70,17 @@ void write_ledger(JsonWriter& json, const Ledger& ledger) {
   json.end_object();
 }
 
+void write_body(JsonWriter& json, const BodyVolume& body) {
+  json.begin_object();
+  json.member("name", body.name);
+  json.member("points", body.points);
+  json.member("volume", body.volume);
+  if (body.of_shape) {
+    json.member("volume_of_shape", *body.of_shape);
+  }
+  json.end_object();
+}
+
 void write_physics(JsonWriter& json, const Physics& physics) {
   json.begin_object();
   json.member("name", physics.name());
@@ -155,6 +166,11 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
   json.key("physics").begin_array();
   for (const auto& physics : simulation.physics()) {
     write_physics(json, *physics);
+  }
+  json.end_array();
+  json.key("bodies").begin_array();
+  for (const BodyVolume& body : record.volumes) {
+    write_body(json, body);
   }
   json.end_array();
   json.key("notes").begin_array();

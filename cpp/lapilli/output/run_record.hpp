@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lapilli/core/body_volume.hpp"
 #include "lapilli/core/simulation.hpp"
 #include "lapilli/output/history.hpp"
 
@@ -37,6 +38,7 @@ struct RunRecord {
   std::string frames_file;
   Index frames = 0;
   std::vector<std::string> notes;  // settings that are allowed and seldom meant
+  std::vector<BodyVolume> volumes;
   RunStatistics statistics;
 };
 

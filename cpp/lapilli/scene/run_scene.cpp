@@ -5,6 +5,7 @@
 
 #include "lapilli/output/checksum.hpp"
 #include "lapilli/scene/audit.hpp"
+#include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/scene_file.hpp"
 #include "lapilli/scene/validate_heat.hpp"
 
@@ -72,6 +73,14 @@ RunOptions run_options(const Scene& scene) {
   options.scene_text = text_for_record(scene);
   options.settings = to_json(scene);
   options.fingerprint = fingerprint_of(scene);
+  return options;
+}
+
+RunOptions run_options(const Scene& scene, const Points& points) {
+  RunOptions options = run_options(scene);
+  options.volumes = body_volumes_at_start(scene, points);
+  std::ranges::copy(volume_warnings(options.volumes, points.dimension()),
+                    std::back_inserter(options.notes));
   return options;
 }
 
