@@ -5,13 +5,10 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/cell_list.hpp"
+#include "lapilli/geometry/checks.hpp"
 
 namespace lapilli {
 namespace {
-
-std::string text_of(const Vec3& place) {
-  return message("(", place[0], ", ", place[1], ", ", place[2], ")");
-}
 
 /// Gradient of a distance, by differences over a short way.
 Vec3 slope(const FluidDistance& distance, const Vec3& at, int dimension, double spacing) {
