@@ -37,6 +37,18 @@ bool equal(const py::object& of, const py::object& other, const std::vector<std:
 
 }  // namespace
 
+void SignatureMaker::add(const char* name, const std::string& type,
+                         const py::object& default_value) {
+  const py::object parameter = py::module_::import("inspect").attr("Parameter");
+  const py::object value = default_value ? default_value : parameter.attr("empty");
+  parameters_.append(parameter(name, parameter.attr("KEYWORD_ONLY"), py::arg("default") = value,
+                               py::arg("annotation") = type));
+}
+
+py::object SignatureMaker::signature() const {
+  return py::module_::import("inspect").attr("Signature")(parameters_);
+}
+
 std::string plain_class_name(const std::type_info& type) {
   std::string name = type.name();
   py::detail::clean_type_id(name);

@@ -2,6 +2,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 #include "bindings.hpp"
 #include "convert_scene.hpp"
 #include "lapilli/core/diagnostics.hpp"
@@ -77,8 +79,8 @@ std::string unit_of(PythonSimulation& simulation, const std::string& name) {
 
 py::dict diagnostics(PythonSimulation& simulation) {
   py::dict all;
-  for (const auto& [name, value] : diagnostics_of(simulation.get())) {
-    all[py::str(name)] = value;
+  for (const Scalar& scalar : diagnostics_of(simulation.get())) {
+    all[py::str(scalar.name)] = scalar.value;
   }
   return all;
 }
@@ -134,7 +136,26 @@ void bind_reports(py::module_& module) {
           "residual",
           py::cpp_function([](const StepReport& report) { return report.residual; },
                            "residual(self: lapilli._core.StepReport) -> float"),
-          "relative residual of implicit solves");
+          "relative residual of implicit solves")
+      .def(
+          "__repr__",
+          [](const StepReport& report) {
+            return message("<step of ", report.accepted, " s, ", report.iterations,
+                           " iterations, residual ", report.residual, ">");
+          },
+          "__repr__(self: lapilli._core.StepReport) -> str");
+}
+
+bool same_ledger(const Ledger& a, const py::object& other) {
+  if (!py::isinstance<Ledger>(other)) {
+    return false;
+  }
+  const auto& b = other.cast<const Ledger&>();
+  const auto same = [](const Ledger::Entry& left, const Ledger::Entry& right) {
+    return left.name == right.name && left.in == right.in;
+  };
+  return a.quantity == b.quantity && a.unit == b.unit && a.initial == b.initial &&
+         a.stored == b.stored && std::ranges::equal(a.entries, b.entries, same);
 }
 
 void bind_ledger(py::module_& module) {
@@ -166,7 +187,7 @@ void bind_ledger(py::module_& module) {
       "sum of the entries' sizes");
   number(
       "residual", [](const Ledger& ledger) { return ledger.residual(); },
-      "(stored - initial - taken in) over the larger of turnover and capacity x span");
+      "(stored - initial - taken in) over the largest turnover or span of the store so far");
   bound.def_property_readonly("entries",
                               py::cpp_function(
                                   [](const Ledger& ledger) {
@@ -178,6 +199,7 @@ void bind_ledger(py::module_& module) {
                                   },
                                   ("entries" + self + " -> dict[str, float]").c_str()),
                               "what came in by each way since the start; negative: went out");
+  bound.def("__eq__", &same_ledger, "__eq__(self: lapilli._core.Ledger, other: object) -> bool");
   bound.def(
       "__repr__",
       [](const Ledger& ledger) {

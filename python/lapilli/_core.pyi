@@ -6,7 +6,7 @@ import collections.abc
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'FluidWall', 'Flux', 'FrictionalWall', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'MohrCoulomb', 'Momentum', 'Monitor', 'Newtonian', 'NoSlipWall', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'Pressure', 'Progress', 'QuasiStatic', 'Radiation', 'RollerWall', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
+__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'FluidWall', 'Flux', 'FrictionalWall', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'MohrCoulomb', 'Momentum', 'Monitor', 'Newtonian', 'NoSlipWall', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'Pressure', 'Progress', 'QuasiStatic', 'Radiation', 'RollerWall', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -1450,6 +1450,126 @@ class FrictionalWall:
     @face.setter
     def face(self, value: typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper']) -> None:
         ...
+class Obstacle:
+    """
+    A rigid obstacle of any shape, at rest or with a prescribed motion.
+    
+    Parameters
+    ----------
+    name : str, default ''
+        name of the obstacle in diagnostics and messages
+    shape : Shape, required
+        what material cannot enter, any shape
+    contact : typing.Literal['frictional', 'slip', 'no_slip'], default 'frictional'
+        frictional, slip or no_slip; material may part from all
+    friction : float, default 0.0
+        coefficient of Coulomb friction, of frictional; at least 0
+    adhesion : float, Pa, default 0.0
+        shear it bears beyond friction; at least 0
+    velocity : collections.abc.Sequence[float], m/s, default ()
+        one number an axis; empty: none
+    revolutions_per_second : float, 1/s, default 0.0
+        positive counter-clockwise
+    center : collections.abc.Sequence[float], m, default ()
+        centre of the turning; empty: the origin
+    axis : collections.abc.Sequence[float], default (0.0, 0.0, 1.0)
+        direction of the axis, in 3D
+    factor : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], default 1.0
+        multiplies the motion: a number or a table in time
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, name: str = ..., shape: Shape, contact: typing.Literal['frictional', 'slip', 'no_slip'] = ..., friction: float = ..., adhesion: float = ..., velocity: collections.abc.Sequence[float] = ..., revolutions_per_second: float = ..., center: collections.abc.Sequence[float] = ..., axis: collections.abc.Sequence[float] = ..., factor: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def adhesion(self) -> float:
+        """
+        shear it bears beyond friction, Pa
+        """
+    @adhesion.setter
+    def adhesion(self, value: float) -> None:
+        ...
+    @property
+    def axis(self) -> collections.abc.Sequence[float]:
+        """
+        direction of the axis, in 3D
+        """
+    @axis.setter
+    def axis(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def center(self) -> collections.abc.Sequence[float]:
+        """
+        centre of the turning; empty: the origin, m
+        """
+    @center.setter
+    def center(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def contact(self) -> typing.Literal['frictional', 'slip', 'no_slip']:
+        """
+        frictional, slip or no_slip; material may part from all
+        """
+    @contact.setter
+    def contact(self, value: typing.Literal['frictional', 'slip', 'no_slip']) -> None:
+        ...
+    @property
+    def factor(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        multiplies the motion: a number or a table in time
+        """
+    @factor.setter
+    def factor(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
+    def friction(self) -> float:
+        """
+        coefficient of Coulomb friction, of frictional
+        """
+    @friction.setter
+    def friction(self, value: float) -> None:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        name of the obstacle in diagnostics and messages
+        """
+    @name.setter
+    def name(self, value: str) -> None:
+        ...
+    @property
+    def revolutions_per_second(self) -> float:
+        """
+        positive counter-clockwise, 1/s
+        """
+    @revolutions_per_second.setter
+    def revolutions_per_second(self, value: float) -> None:
+        ...
+    @property
+    def shape(self) -> Shape:
+        """
+        what material cannot enter, any shape
+        """
+    @shape.setter
+    def shape(self, value: Shape) -> None:
+        ...
+    @property
+    def velocity(self) -> collections.abc.Sequence[float]:
+        """
+        one number an axis; empty: none, m/s
+        """
+    @velocity.setter
+    def velocity(self, value: collections.abc.Sequence[float]) -> None:
+        ...
 class Pressure:
     """
     A pressure on a free surface.
@@ -1568,16 +1688,20 @@ class Momentum:
     ----------
     gravity : collections.abc.Sequence[float], m/s2, default ()
         one number an axis; empty: none
-    transfer : typing.Literal['flip', 'apic', 'tpic'], default 'flip'
+    transfer : typing.Literal['blended_apic', 'flip', 'apic', 'tpic'], default 'blended_apic'
         what points and nodes hand each other
+    blend_rate : float, default 4.0
+        blended_apic: rate, per unit of strain, at which points take the nodal velocity; at least 0
     pic_share : float, default 0.05
-        share of the nodal velocity in FLIP; from 0 to 1
+        flip: share of the nodal velocity, applied once a step; from 0 to 1
     stress_update : typing.Literal['usl', 'musl'], default 'musl'
         which nodal velocity strains the points
     step_safety : float, default 0.5
         automatic step over h / (wave speed + point speed); above 0 and at most 1
     walls : list[NoSlipWall | RollerWall | FrictionalWall], default []
         faces of the grid that hold the material; others are open
+    obstacles : list[Obstacle], default []
+        rigid shapes that material cannot enter, at rest or moving
     boundaries : list[Pressure | Traction], default []
         loads on free surfaces; the first region that covers a place wins
     """
@@ -1586,13 +1710,21 @@ class Momentum:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., transfer: typing.Literal['flip', 'apic', 'tpic'] = ..., pic_share: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., step_safety: float = ..., walls: list[NoSlipWall | RollerWall | FrictionalWall] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
+    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., transfer: typing.Literal['blended_apic', 'flip', 'apic', 'tpic'] = ..., blend_rate: float = ..., pic_share: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., step_safety: float = ..., walls: list[NoSlipWall | RollerWall | FrictionalWall] = ..., obstacles: list[Obstacle] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
     def __setattr__(self, name: str, value: typing.Any) -> None:
         ...
     def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def blend_rate(self) -> float:
+        """
+        blended_apic: rate, per unit of strain, at which points take the nodal velocity
+        """
+    @blend_rate.setter
+    def blend_rate(self, value: float) -> None:
         ...
     @property
     def boundaries(self) -> list[Pressure | Traction]:
@@ -1611,9 +1743,17 @@ class Momentum:
     def gravity(self, value: collections.abc.Sequence[float]) -> None:
         ...
     @property
+    def obstacles(self) -> list[Obstacle]:
+        """
+        rigid shapes that material cannot enter, at rest or moving
+        """
+    @obstacles.setter
+    def obstacles(self, value: list[Obstacle]) -> None:
+        ...
+    @property
     def pic_share(self) -> float:
         """
-        share of the nodal velocity in FLIP
+        flip: share of the nodal velocity, applied once a step
         """
     @pic_share.setter
     def pic_share(self, value: float) -> None:
@@ -1635,12 +1775,12 @@ class Momentum:
     def stress_update(self, value: typing.Literal['usl', 'musl']) -> None:
         ...
     @property
-    def transfer(self) -> typing.Literal['flip', 'apic', 'tpic']:
+    def transfer(self) -> typing.Literal['blended_apic', 'flip', 'apic', 'tpic']:
         """
         what points and nodes hand each other
         """
     @transfer.setter
-    def transfer(self, value: typing.Literal['flip', 'apic', 'tpic']) -> None:
+    def transfer(self, value: typing.Literal['blended_apic', 'flip', 'apic', 'tpic']) -> None:
         ...
     @property
     def walls(self) -> list[NoSlipWall | RollerWall | FrictionalWall]:

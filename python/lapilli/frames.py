@@ -93,5 +93,11 @@ class Frames:
         return (self[number] for number in range(len(self)))
 
     def at(self, time: float) -> Frame:
-        """The frame nearest to a time."""
+        """The frame nearest to a time. Times before the first or after the last are an error."""
+        first, last = float(self.times[0]), float(self.times[-1])
+        slack = 1e-9 * max(abs(first), abs(last))
+        if not first - slack <= time <= last + slack:
+            raise ValueError(
+                f"no frame at {time:g} s in {self.path}: they go from {first:g} s to {last:g} s"
+            )
         return self[int(np.argmin(np.abs(self.times - time)))]

@@ -16,6 +16,7 @@ import numpy.typing as npt
 from lapilli import _core
 from lapilli._core import Ledger, RunSummary, Scene, Simulation
 from lapilli.frames import Frames
+from lapilli.history import History
 from lapilli.part import Part, names_of
 from lapilli.progress import progress_bar
 
@@ -28,6 +29,7 @@ class Result:
     ``result["temperature"]`` is a read-only view of the last state in the present order of the
     points; ``result.by_id("temperature")`` is a copy in the order of their ids. Both hold all points,
     those of fluid walls too; ``result.body("air")["temperature"]`` holds those of one body.
+    ``result.history`` holds what was recorded in time.
     """
 
     def __init__(
@@ -37,6 +39,7 @@ class Result:
         self.simulation = simulation
         self.summary = summary
         self.output = output
+        self.history = History(summary.history, summary.history_columns)
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:
         return self.simulation[name]
@@ -67,6 +70,10 @@ class Result:
     def ledger(self) -> dict[str, Ledger]:
         """The account of every conserved quantity, by its name ("heat")."""
         return {ledger.quantity: ledger for ledger in self.simulation.ledger()}
+
+    def report(self) -> str:
+        """How the run ended, its balances and what its user should know, as lines of text."""
+        return _core.summary_text(self.simulation, self.summary, str(self.output or ""))
 
     @property
     def frames(self) -> Frames:
@@ -115,7 +122,7 @@ def run(
     output
         File of frames for ParaView (``.vtkhdf``); overrides ``scene.output.path``.
     every
-        Time between frames, s; overrides ``scene.output.every``.
+        Time between frames, s; overrides ``scene.output.every`` and ``every_steps``.
     threads
         Threads of this run; all processors unless given.
     progress
@@ -146,6 +153,7 @@ def with_output(
         scene.output.path = os.fspath(output)
     if every is not None:
         scene.output.every = every
+        scene.output.every_steps = None
     return scene
 
 

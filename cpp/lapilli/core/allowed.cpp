@@ -46,15 +46,18 @@ std::string allowed_range(const Key& key) {
   return words;
 }
 
-void check_range(const Key& key, double value, std::string_view where) {
+std::string range_mistake(const Key& key, double value) {
   const bool usable = std::isfinite(value) || (key.infinity_allowed && std::isinf(value));
-  const bool inside =
-      usable && (key.open ? value > key.least : value >= key.least) && value <= key.most;
-  if (!inside) {
-    const std::string range = allowed_range(key);
-    require(false, where, where.empty() ? "" : ": ", key.name, " must be ",
-            range.empty() ? "a finite number" : range, ", got ", value);
+  if (usable && (key.open ? value > key.least : value >= key.least) && value <= key.most) {
+    return "";
   }
+  const std::string range = allowed_range(key);
+  return message("must be ", range.empty() ? "a finite number" : range, ", got ", value);
+}
+
+void check_range(const Key& key, double value, std::string_view where) {
+  const std::string mistake = range_mistake(key, value);
+  require(mistake.empty(), where, where.empty() ? "" : ": ", key.name, " ", mistake);
 }
 
 std::string allowed_length(const Key& key) {

@@ -23,7 +23,10 @@ double seconds_since(Clock::time_point begin) {
 class ProgressReport {
  public:
   ProgressReport(const Simulation& simulation, const std::function<void(const Progress&)>& tell)
-      : simulation_(simulation), tell_(tell), first_fraction_(fraction()) {}
+      : simulation_(simulation),
+        tell_(tell),
+        first_fraction_(fraction()),
+        first_step_(simulation.step_index()) {}
 
   void tell(double step_size, bool always) {
     if (!tell_ || (!always && seconds_since(told_) < 0.1)) {
@@ -33,7 +36,8 @@ class ProgressReport {
     const double elapsed = seconds_since(begin_), done = fraction();
     const double left = elapsed * (1.0 - done) / (done - first_fraction_);
     tell_({done, simulation_.time(), step_size, simulation_.step_index(),
-           simulation_.points().size(), elapsed, done > first_fraction_ ? left : std::nan("")});
+           simulation_.points().size(), elapsed, done > first_fraction_ ? left : std::nan(""),
+           simulation_.step_index() - first_step_});
   }
 
  private:
@@ -44,6 +48,7 @@ class ProgressReport {
   const Simulation& simulation_;
   const std::function<void(const Progress&)>& tell_;
   double first_fraction_;
+  Index first_step_;
   Clock::time_point begin_ = Clock::now(), told_ = begin_;
 };
 
@@ -100,6 +105,13 @@ RunStatus step_to_end(Simulation& simulation, const RunOptions& options,
   return status;
 }
 
+void require_closed_balances(const Simulation& simulation) {
+  const std::string wrong = open_balances(simulation.ledgers());
+  if (!wrong.empty()) {
+    throw RunError("at the end: " + wrong);
+  }
+}
+
 /// Record a failure; a disk that fails here too must not hide the reason of the first failure.
 void record_failure(RunFiles& files, const RunStatistics& statistics, const std::string& reason) {
   try {
@@ -117,13 +129,17 @@ RunSummary run(Simulation& simulation, const RunOptions& options) {
   Measure measure;
   if (options.resume) {
     files.resume(measure.now());
-  } else if (files.is_writing()) {
+  } else {
     files.begin();
   }
   try {
     const RunStatus status = step_to_end(simulation, options, schedule, files, measure.now());
+    if (status == RunStatus::finished) {
+      require_closed_balances(simulation);
+    }
     files.write_record(status == RunStatus::finished ? "finished" : "interrupted", measure.now());
-    return {status, simulation.time(), files.frames(), measure.now()};
+    return {status,        simulation.time(), files.frames(),
+            measure.now(), files.notes(),     files.history()};
   } catch (const StepRefused& error) {
     files.stop(measure.now());
     const std::string reason = error.what() + files.last_frame();

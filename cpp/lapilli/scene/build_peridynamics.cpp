@@ -13,7 +13,7 @@
 namespace lapilli {
 namespace {
 
-std::string wall_path(std::size_t index) { return message("peridynamics.walls.", index); }
+std::string wall_path(std::size_t index) { return element_path("peridynamics.walls", index); }
 
 Lattice lattice_of(const Scene& scene, double spacing) {
   Lattice lattice;
@@ -26,7 +26,7 @@ Lattice lattice_of(const Scene& scene, double spacing) {
 double spacing_of(const Scene& scene, const std::vector<FilledPoints>& filled) {
   for (std::size_t k = 1; k < filled.size(); ++k) {
     require_at(std::abs(filled[k].spacing / filled[0].spacing - 1.0) < 1e-6, scene,
-               message("bodies.", k), "has points ", filled[k].spacing,
+               element_path("bodies", k), "has points ", filled[k].spacing,
                " m apart, those of body 0 are ", filled[0].spacing,
                " m apart; a peridynamic fluid has one spacing");
   }
@@ -42,7 +42,7 @@ FluidDistance region_of(const Scene& scene) {
   std::vector<Shape> shapes;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const std::optional<Shape> shape = placed_shape(scene.bodies[k]);
-    require_at(shape.has_value(), scene, message("bodies.", k),
+    require_at(shape.has_value(), scene, element_path("bodies", k),
                "needs a shape: walls are found by their distance from it");
     shapes.push_back(*shape);
   }

@@ -2,6 +2,7 @@
 
 #include "lapilli/scene/check.hpp"
 #include "lapilli/scene/emit.hpp"
+#include "lapilli/scene/run_text.hpp"
 #include "lapilli/scene/tree_writer.hpp"
 
 namespace lapilli {
@@ -10,11 +11,6 @@ namespace {
 std::string readable_memory(double bytes) {
   const bool large = bytes > 1e9;
   return message(std::setprecision(3), bytes / (large ? 1e9 : 1e6), large ? " GB" : " MB");
-}
-
-std::string readable_time(double seconds) {
-  return seconds < 120.0 ? message(std::setprecision(2), seconds, " s")
-                         : message(std::setprecision(2), seconds / 60.0, " min");
 }
 
 Tree list_of(const std::vector<std::string>& words) {

@@ -111,7 +111,7 @@ def measure_support(case: SupportCase) -> SupportRow:
     there = STRAIN * frame.local(start)[:, :1] * frame.e1
     apart = np.linalg.norm(simulation.by_id("displacement") - there, axis=1)
     found = float(np.average(apart, weights=simulation.by_id("volume"))) / (STRAIN * SIDE)
-    condition = simulation.diagnostics()["quasi_static/condition estimate"]
+    condition = simulation.diagnostics()["quasi_static/condition_estimate"]
     outcome = Outcome.STABLE if found <= bar else Outcome.INACCURATE
     return SupportRow(case, outcome, found, bar, condition, "")
 
