@@ -32,10 +32,12 @@ void Momentum<Dim>::save(Archive& archive) const {
   if (obstacles_) {
     obstacles_->save(archive, "momentum/obstacles");
   }
-  const double numbers[] = {flows_.plastic,  flows_.friction, flows_.strain,    flows_.impact,
-                            flows_.transfer, initial_energy_, kinetic_,         speed_,
-                            wave_speed_,     drift_,          total_mass_,      flows_.expansion,
-                            squeezing_,      watch_.stored(), watch_.largest(), ahead_};
+  const double numbers[] = {
+      flows_.plastic,      flows_.friction, flows_.strain,    flows_.impact,
+      flows_.transfer,     initial_energy_, kinetic_,         speed_,
+      wave_speed_,         drift_,          total_mass_,      flows_.expansion,
+      squeezing_,          watch_.stored(), watch_.largest(), ahead_,
+      watch_.steps_above()};
   archive.write("momentum/account", std::span<const double>(numbers));
   archive.write("momentum/impulse/gravity", std::span<const double>(flows_.gravity.data(), 3));
   archive.write("momentum/impulse/walls", std::span<const double>(flows_.walls.data(), 3));
@@ -70,7 +72,7 @@ void Momentum<Dim>::load(const Archive& archive) {
   if (obstacles_) {
     obstacles_->load(archive, "momentum/obstacles");
   }
-  double numbers[16];
+  double numbers[17];
   archive.read("momentum/account", std::span<double>(numbers));
   flows_.plastic = numbers[0];
   flows_.friction = numbers[1];
@@ -85,7 +87,7 @@ void Momentum<Dim>::load(const Archive& archive) {
   total_mass_ = numbers[10];
   flows_.expansion = numbers[11];
   squeezing_ = numbers[12];
-  watch_.restore(numbers[13], numbers[14]);
+  watch_.restore(numbers[13], numbers[14], numbers[16]);
   ahead_ = numbers[15];
   archive.read("momentum/impulse/gravity", std::span<double>(flows_.gravity.data(), 3));
   archive.read("momentum/impulse/walls", std::span<double>(flows_.walls.data(), 3));
