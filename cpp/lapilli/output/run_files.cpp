@@ -3,6 +3,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/output/checkpoint.hpp"
 #include "lapilli/output/checksum.hpp"
+#include "lapilli/output/file.hpp"
 
 namespace lapilli {
 namespace {
@@ -12,21 +13,30 @@ constexpr double record_interval_seconds = 1.0;
 }  // namespace
 
 RunFiles::RunFiles(Simulation& simulation, const RunOptions& options, const FrameSchedule& schedule)
-    : simulation_(simulation), options_(options), schedule_(schedule) {
+    : simulation_(simulation),
+      options_(options),
+      schedule_(schedule),
+      history_(simulation, options) {
   record_.scene_text = options.scene_text;
   record_.settings = options.settings;
   record_.fingerprint =
       options.fingerprint.empty() ? fingerprint(options.scene_text) : options.fingerprint;
   record_.started = utc_now();
+  record_.notes = options.notes;
   record_.frames_file = options.output.filename().string();
 }
 
 void RunFiles::begin() {
+  history_.add(true);
+  if (!is_writing()) {
+    return;
+  }
   // The former checkpoint first: it must never stand beside frames of another run.
   check_frames_path(options_.output);
   std::error_code ignored;
   std::filesystem::remove(checkpoint_path(options_.output), ignored);
   writer_.emplace(options_.output, schedule_.planned());
+  stepped_ = simulation_.time();
   write_frame(true);
   write_record("running", {});
   write_checkpoint({});
@@ -44,17 +54,24 @@ void RunFiles::resume(RunStatistics& statistics) {
   simulation_.load(checkpoint.state);
   statistics.load(checkpoint.state);
   kept_frames_ = checkpoint.state.read_index("run/frames");
-  record_.history.load(checkpoint.state, simulation_);
-  record_.history.cut(kept_frames_);
+  history_.load(checkpoint.state);
+  stepped_ = time;
   writer_ = VtkhdfWriter::resume(options_.output, kept_frames_, schedule_.planned());
   write_record("running", statistics);
 }
 
 void RunFiles::after_step(const RunStatistics& statistics) {
+  history_.after_step();
+  const double time = simulation_.time();
+  const bool due =
+      schedule_.is_due(time, simulation_.step_index()) || schedule_.is_passed(stepped_, time);
+  stepped_ = time;
+  if (due) {
+    history_.add(true);
+  }
   if (!is_writing()) {
     return;
   }
-  const bool due = schedule_.is_due(simulation_.time(), simulation_.step_index());
   if (due) {
     write_frame(true);
     keep_record(statistics);
@@ -67,6 +84,7 @@ void RunFiles::after_step(const RunStatistics& statistics) {
 }
 
 void RunFiles::stop(const RunStatistics& statistics) {
+  history_.add(false);
   if (!is_writing()) {
     return;
   }
@@ -78,7 +96,6 @@ void RunFiles::stop(const RunStatistics& statistics) {
 
 void RunFiles::write_frame(bool keep) {
   writer_->write(simulation_.time(), simulation_.points(), simulation_.fields());
-  record_.history.add(simulation_);
   if (keep) {
     kept_frames_ = writer_->frames();
   }
@@ -101,7 +118,7 @@ void RunFiles::write_checkpoint(const RunStatistics& statistics) {
   simulation_.save(checkpoint.state);
   statistics.save(checkpoint.state);
   checkpoint.state.write("run/frames", kept_frames_);
-  record_.history.save(checkpoint.state);
+  history_.save(checkpoint.state);
   save_checkpoint(checkpoint_path(options_.output), checkpoint);
   checkpointed_ = std::chrono::steady_clock::now();
 }
@@ -115,7 +132,8 @@ void RunFiles::write_record(const char* status, const RunStatistics& statistics,
   record_.message = message;
   record_.statistics = statistics;
   record_.frames = frames();
-  write_run_record(record_path(options_.output), record_, simulation_);
+  write_run_record(record_path(options_.output), record_, history(), simulation_);
+  write_text(history_path(options_.output), history().to_csv());
 }
 
 std::string RunFiles::last_frame() const {
@@ -130,6 +148,10 @@ std::filesystem::path checkpoint_path(const std::filesystem::path& output) {
 
 std::filesystem::path record_path(const std::filesystem::path& output) {
   return std::filesystem::path(output).replace_extension(".json");
+}
+
+std::filesystem::path history_path(const std::filesystem::path& output) {
+  return std::filesystem::path(output).replace_extension(".csv");
 }
 
 }  // namespace lapilli

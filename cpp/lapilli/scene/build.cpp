@@ -16,6 +16,7 @@
 #include "lapilli/scene/build_peridynamics.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/resolve_files.hpp"
+#include "lapilli/scene/run_scene.hpp"
 #include "lapilli/scene/validate.hpp"
 
 namespace lapilli {
@@ -102,20 +103,27 @@ std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const Body& body = scene.bodies[k];
     problem.bodies.push_back({material_of<Thermal>(body), half_width_of(scene, filled[k]),
-                              body.temperature, body.source});
+                              body.temperature, body.source, placed_shape(body)});
   }
   return at_place(scene, "heat", [&] { return make_heat<Dim>(points, std::move(problem)); });
 }
 
 std::unique_ptr<Physics> quasi_static_of(const Scene& scene, Points& points) {
   std::vector<LinearElastic> materials;
+  std::vector<Shape> shapes;
   for (const Body& body : scene.bodies) {
     materials.push_back(material_of<LinearElastic>(body));
+    if (const std::optional<Shape> shape = placed_shape(body)) {
+      shapes.push_back(*shape);
+    }
+  }
+  if (shapes.size() < scene.bodies.size()) {
+    shapes.clear();  // not all are known
   }
   return at_place(scene, "quasi_static", [&] {
     return make_quasi_static(points, place(scene.grid.lower), place(scene.grid.upper),
                              scene.grid.cell, scene.grid.shape_function, std::move(materials),
-                             *scene.quasi_static);
+                             *scene.quasi_static, std::move(shapes));
   });
 }
 
@@ -197,6 +205,21 @@ Simulation::Clock clock_of(const Scene& scene) {
   return clock;
 }
 
+// Which fields there are, and where material is, is known now.
+void check_probes(const Scene& scene, Simulation& simulation) {
+  const std::vector<Probe> probes = probes_of(scene);
+  Mistakes mistakes;
+  for (std::size_t k = 0; k < probes.size(); ++k) {
+    mistakes.gather([&] {
+      in_file(scene, element_path("probes", k), [&] {
+        const Probes one(simulation, {probes[k]}, static_cast<int>(scene.bodies.size()));
+        one.read(simulation, true);
+      });
+    });
+  }
+  mistakes.throw_if_any();
+}
+
 template <int Dim>
 std::unique_ptr<Simulation> build_in(const Scene& scene) {
   const Grid<Dim> grid = grid_of<Dim>(scene);
@@ -235,9 +258,11 @@ std::unique_ptr<Simulation> build_in(const Scene& scene) {
                       dynamic_cast<HeatInBodyFrame<Dim>*>(physics.front().get()) != nullptr;
     physics.push_back(std::make_unique<PrescribedMotion<Dim>>(*points, std::move(motions), lazy));
   }
-  return in_file(scene, scene.time.steps ? "time.steps" : "time.step", [&] {
+  auto simulation = in_file(scene, scene.time.steps ? "time.steps" : "time.step", [&] {
     return std::make_unique<Simulation>(std::move(points), std::move(physics), clock_of(scene));
   });
+  check_probes(scene, *simulation);
+  return simulation;
 }
 
 }  // namespace
