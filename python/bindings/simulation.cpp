@@ -8,6 +8,7 @@
 #include "convert_scene.hpp"
 #include "lapilli/core/diagnostics.hpp"
 #include "lapilli/mpm/surface_view.hpp"
+#include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
 
 namespace lapilli::python {
@@ -80,6 +81,14 @@ py::dict diagnostics(PythonSimulation& simulation) {
   py::dict all;
   for (const Scalar& scalar : diagnostics_of(simulation.get())) {
     all[py::str(scalar.name)] = scalar.value;
+  }
+  return all;
+}
+
+py::dict volumes(PythonSimulation& simulation) {
+  py::dict all;
+  for (const BodyVolume& body : body_volumes(simulation.scene(), simulation.get().points())) {
+    all[py::str(body.name)] = py::make_tuple(body.volume, body.of_shape);
   }
   return all;
 }
@@ -212,9 +221,10 @@ void bind_simulation(py::module_& module) {
                                      "from a scene. Stepping releases the GIL.");
   bound
       .def(py::init([](const py::object& given) {
-             const Scene scene = scene_of(given);
+             Scene scene = scene_of(given);
              const py::gil_scoped_release release;
-             return std::make_unique<PythonSimulation>(build(scene));
+             auto built = build(scene);
+             return std::make_unique<PythonSimulation>(std::move(built), std::move(scene));
            }),
            py::arg("scene"), ("__init__" + self + ", scene: Scene) -> None").c_str())
       .def(
@@ -252,6 +262,11 @@ void bind_simulation(py::module_& module) {
               .c_str())
       .def("diagnostics", &diagnostics,
            ("diagnostics" + self + ") -> dict[str, float]\n\nNumbers worth watching, by physics.")
+               .c_str())
+      .def("volumes", &volumes,
+           ("volumes" + self +
+            ") -> dict[str, tuple[float, float | None]]\n\nOf each body the volume of its points "
+            "now and that of its shape, None where it has none; area, length in fewer dimensions.")
                .c_str())
       .def("surface", &surface,
            ("surface" + self +

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "lapilli/core/simulation.hpp"
+#include "lapilli/scene/scene.hpp"
 
 namespace lapilli::python {
 
@@ -26,8 +27,15 @@ class SignalCheck {
 /// A simulation held by Python. One thread at a time may step it or look at it.
 class PythonSimulation {
  public:
-  explicit PythonSimulation(std::unique_ptr<Simulation> simulation)
-      : simulation_(std::move(simulation)) {}
+  PythonSimulation(std::unique_ptr<Simulation> simulation, Scene scene)
+      : simulation_(std::move(simulation)), scene_(std::move(scene)) {
+    for (Body& body : scene_.bodies) {
+      body.points.reset();  // the simulation holds them
+    }
+  }
+
+  /// What it was built from, without points given as arrays.
+  const Scene& scene() const { return scene_; }
 
   /// Throws RuntimeError while another thread steps it.
   Simulation& get();
@@ -50,6 +58,7 @@ class PythonSimulation {
 
  private:
   std::unique_ptr<Simulation> simulation_;
+  Scene scene_;
   std::thread::id stepped_by_;  // read and written with the GIL held
 };
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,6 +11,9 @@ from typing import Any
 import h5py
 import numpy as np
 import numpy.typing as npt
+
+from lapilli._core import Scene
+from lapilli.part import Part, names_of
 
 Array = npt.NDArray[Any]
 
@@ -33,6 +37,16 @@ class Frame:
     def position(self) -> npt.NDArray[np.float64]:
         """Positions (points, 3) in the order of ids, m; scenes of fewer dimensions have zeros."""
         return self._read("position")
+
+    def body(self, which: int | str) -> Part:
+        """The points of one body or fluid wall, by its number (bodies first, from 0) or by the name
+        that the run record beside the frames gives it."""
+        record = self._path.with_suffix(".json")
+        if isinstance(which, int) and not record.is_file():
+            return Part(self._read, which, [""] * (which + 1))
+        return Part(
+            self._read, which, names_of(Scene.parse(json.loads(record.read_text())["scene"]))
+        )
 
     def _read(self, name: str) -> Array:
         with h5py.File(self._path, "r", locking=False) as file:

@@ -17,6 +17,7 @@ from lapilli import _core
 from lapilli._core import Ledger, RunSummary, Scene, Simulation
 from lapilli.frames import Frames
 from lapilli.history import History
+from lapilli.part import Part, names_of
 from lapilli.progress import progress_bar
 
 Callback = Callable[[Simulation], Any]
@@ -26,11 +27,15 @@ class Result:
     """What a run left: the last state, the account of what it conserves, its record and frames.
 
     ``result["temperature"]`` is a read-only view of the last state in the present order of the
-    points; ``result.by_id("temperature")`` is a copy in the order of their ids.
+    points; ``result.by_id("temperature")`` is a copy in the order of their ids. Both hold all points,
+    those of fluid walls too; ``result.body("air")["temperature"]`` holds those of one body.
     ``result.history`` holds what was recorded in time.
     """
 
-    def __init__(self, simulation: Simulation, summary: RunSummary, output: Path | None) -> None:
+    def __init__(
+        self, simulation: Simulation, summary: RunSummary, output: Path | None, scene: Scene
+    ) -> None:
+        self._bodies = names_of(scene)
         self.simulation = simulation
         self.summary = summary
         self.output = output
@@ -46,6 +51,10 @@ class Result:
     def by_id(self, name: str) -> npt.NDArray[Any]:
         """A copy of a field with its rows in the order of the points' ids."""
         return self.simulation.by_id(name)
+
+    def body(self, which: int | str) -> Part:
+        """The points of one body or fluid wall, by its name or number (bodies first, from 0)."""
+        return Part(self.by_id, which, self._bodies)
 
     @property
     def position(self) -> npt.NDArray[np.float64]:
@@ -123,7 +132,7 @@ def run(
         simulation = Simulation(scene)
         with progress_bar(progress) as show:
             summary = _core.run_simulation(simulation, scene, resume, show, callback)
-    return Result(simulation, summary, path)
+    return Result(simulation, summary, path, scene)
 
 
 def with_output(

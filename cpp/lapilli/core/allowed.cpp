@@ -25,6 +25,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+/// Keys that were replaced, and by which.
+constexpr std::pair<std::string_view, const char*> replaced[] = {{"clip", "fill"}};
+
 }  // namespace
 
 std::string allowed_range(const Key& key) {
@@ -74,6 +77,12 @@ void check_length(const Key& key, Index count, std::string_view where) {
 }
 
 std::string nearest_name(std::string_view given, const std::vector<std::string>& candidates) {
+  for (const auto& [former, now] : replaced) {
+    if (given == former &&
+        std::find(candidates.begin(), candidates.end(), now) != candidates.end()) {
+      return now;
+    }
+  }
   std::string nearest;
   std::size_t least = std::max<std::size_t>(2, given.size() / 3) + 1;
   for (const std::string& candidate : candidates) {

@@ -13,7 +13,7 @@ namespace {
 
 /// Units in three dimensions; `extensive` ones are per depth in fewer.
 struct Known {
-  const char* name;  // after the slash; one that ends in _ stands for all that begin with it
+  const char* name;  // after the slash; one that ends in _ or . stands for all that begin with it
   const char* unit;
   bool extensive;
   const char* meaning;
@@ -28,6 +28,7 @@ constexpr Known known_diagnostics[] = {
     {"largest_pivot", "", false, "largest pivot of the last factorisation"},
     {"condition_estimate", "", false, "ratio of the largest pivot to the smallest"},
     {"halvings", "", false, "times the last load step was halved"},
+    {"largest_strain", "", false, "largest strain of a point since the start"},
     {"deepest_penetration", "m", false, "depth of the deepest point behind a wall"},
     {"force_of_", "N", true, "force of a wall or support on the material, a component"},
     {"torque_of_", "N m", true, "torque of a wall or support on the material"},
@@ -41,9 +42,9 @@ constexpr Known known_diagnostics[] = {
     {"strain_transfer_loss", "J", true, "elastic energy lost between points and grid so far"},
     {"expansion_work", "J", true, "work of thermal expansion so far"},
     {"load_work", "J", true, "work of pressures and tractions so far"},
-    {"heat_flow_from_wall_", "W", true, "heat that enters the fluid from a wall now"},
-    {"nusselt_number_of_wall_", "", false, "heat flow of a wall over that of pure conduction"},
-    {"imbalance_of_heat_bonds", "W", true, "heat that bonds create out of nothing"},
+    {"heat_flow.", "W", true, "heat that enters the fluid from a wall now"},
+    {"nusselt_number.", "", false, "heat flow of a wall over that of pure conduction"},
+    {"bond_imbalance", "W", true, "heat that bonds create out of nothing"},
     {"velocity_noise", "", false, "share of the velocity that neighbours do not share"},
     {"least_density_variation", "", false, "least relative deviation of density"},
     {"greatest_density_variation", "", false, "greatest relative deviation of density"},
@@ -67,7 +68,8 @@ const Known* known_as(const std::string& name) {
   const Known* best = nullptr;
   for (const Known& known : known_diagnostics) {
     const std::string pattern = known.name;
-    if (pattern == name || (pattern.back() == '_' && name.starts_with(pattern))) {
+    if (pattern == name || (std::string("_.").find(pattern.back()) != std::string::npos &&
+                            name.starts_with(pattern))) {
       best = &known;
     }
   }
@@ -152,7 +154,7 @@ std::string snake_case(const std::string& words) {
   std::string name;
   for (const char letter : words) {
     const auto code = static_cast<unsigned char>(letter);
-    if (std::isalnum(code) != 0 || code >= 0x80) {
+    if (std::isalnum(code) != 0 || code >= 0x80 || letter == '.') {
       name += letter;
     } else if (!name.empty() && name.back() != '_') {
       name += '_';
@@ -196,7 +198,8 @@ std::string diagnostics_as_markdown() {
   };
   for (const Known& known : known_diagnostics) {
     const std::string name = known.name;
-    row(name.back() == '_' ? name + "<name>" : name, known.unit, known.meaning);
+    row(std::string("_.").find(name.back()) != std::string::npos ? name + "<name>" : name,
+        known.unit, known.meaning);
   }
   row("<quantity>/stored", "", "heat, energy, momentum or mass stored now");
   row("<quantity>/supplied_by_<name>", "", "what a boundary condition or source supplied so far");

@@ -14,12 +14,13 @@ constexpr Index stiffest_every = 16;  // steps
 }  // namespace
 
 PeridynamicHeat::PeridynamicHeat(Points& points, std::shared_ptr<WallSurface> walls,
-                                 const PeridynamicHeatSettings& settings, const Fluid& fluid)
+                                 const PeridynamicHeatSettings& settings, const Fluid& fluid,
+                                 bool points_move)
     : points_(points),
       walls_(std::move(walls)),
       settings_(settings),
       fluid_(fluid),
-      exchange_(make_heat_exchange(points, *walls_, settings, fluid.conductivity())),
+      exchange_(make_heat_exchange(points, *walls_, settings, fluid.conductivity(), points_move)),
       temperature_(points, 1),
       capacity_(points, 1),
       rate_(points, 1),
@@ -230,11 +231,10 @@ std::vector<std::pair<std::string, double>> PeridynamicHeat::diagnostics() const
   std::vector<std::pair<std::string, double>> numbers;
   for (std::size_t k = 0; k < from_walls_.size(); ++k) {
     if (walls_->walls()[k].settings.heat != WallHeat::adiabatic) {
-      numbers.emplace_back(message("heat flow from wall ", walls_->walls()[k].settings.name),
-                           from_walls_[k]);
+      numbers.emplace_back(message("heat_flow.", walls_->walls()[k].settings.name), from_walls_[k]);
     }
   }
-  numbers.emplace_back("imbalance of heat bonds", exchange_->imbalance());
+  numbers.emplace_back("bond_imbalance", exchange_->imbalance());
   return numbers;
 }
 

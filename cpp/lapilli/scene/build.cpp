@@ -98,13 +98,20 @@ std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
 
 std::unique_ptr<Physics> quasi_static_of(const Scene& scene, Points& points) {
   std::vector<LinearElastic> materials;
+  std::vector<Shape> shapes;
   for (const Body& body : scene.bodies) {
     materials.push_back(material_of<LinearElastic>(body));
+    if (const std::optional<Shape> shape = placed_shape(body)) {
+      shapes.push_back(*shape);
+    }
+  }
+  if (shapes.size() < scene.bodies.size()) {
+    shapes.clear();  // not all are known
   }
   return at_place(scene, "quasi_static", [&] {
     return make_quasi_static(points, place(scene.grid.lower), place(scene.grid.upper),
                              scene.grid.cell, scene.grid.shape_function, std::move(materials),
-                             *scene.quasi_static);
+                             *scene.quasi_static, std::move(shapes));
   });
 }
 

@@ -50,7 +50,7 @@ FluidDistance region_of(const Scene& scene) {
 }
 
 double longest_horizon(const PeridynamicsSettings& settings, double spacing) {
-  return spacing * std::max(settings.heat ? settings.heat->horizon : 0.0,
+  return spacing * std::max(settings.heat ? settings.heat->widest_horizon() : 0.0,
                             settings.flow ? settings.flow->horizon : 0.0);
 }
 
@@ -125,6 +125,11 @@ FilledPoints felt_points(const FilledPoints& all, const std::string& name, const
 
 }  // namespace
 
+bool conducts_at_rest(const Scene& scene) {
+  return scene.peridynamics && scene.peridynamics->heat && !scene.peridynamics->flow &&
+         scene.peridynamics->heat->laplacian == Laplacian::corrected;
+}
+
 std::vector<FilledPoints> fill_walls(const Scene& scene, const std::vector<FilledPoints>& filled) {
   std::vector<FilledPoints> walls;
   if (!scene.peridynamics) {
@@ -153,8 +158,10 @@ std::vector<std::unique_ptr<Physics>> physics_of_peridynamics(
   problem.region = region_of(scene);
   problem.fluid = fluid_of(scene);
   for (std::size_t k = 0; k < scene.peridynamics->walls.size(); ++k) {
-    problem.walls.push_back(
-        {scene.peridynamics->walls[k], static_cast<int>(scene.bodies.size() + k)});
+    const FluidWallBody& wall = scene.peridynamics->walls[k];
+    problem.walls.push_back({wall, static_cast<int>(scene.bodies.size() + k)});
+    problem.wall_shapes.push_back(
+        [shape = wall.shape](const Vec3& at) { return distance(shape, at); });
   }
   problem.heat = scene.peridynamics->heat;
   problem.flow = scene.peridynamics->flow;

@@ -7,6 +7,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/body_points.hpp"
+#include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
 
 namespace lapilli {
@@ -31,13 +32,14 @@ void describe_grid(const Scene& scene, CheckReport& report) {
 void describe_bodies(const Scene& scene, const Simulation& simulation, CheckReport& report) {
   const Points& points = simulation.points();
   report.points = points.size();
-  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    const std::string& name = scene.bodies[k].name;
-    report.bodies.push_back({name.empty() ? message("body ", k) : name, 0, 0.0, 0.0});
+  const std::vector<BodyVolume> volumes = body_volumes(scene, points);
+  for (const BodyVolume& body : volumes) {
+    report.bodies.push_back({body.name, 0, 0.0, 0.0, body.of_shape});
   }
+  report.notes = volume_warnings(volumes, points.dimension());
   if (scene.peridynamics) {
     for (const FluidWallBody& wall : scene.peridynamics->walls) {
-      report.bodies.push_back({message("wall ", wall.name), 0, 0.0, 0.0});
+      report.bodies.push_back({message("wall ", wall.name), 0, 0.0, 0.0, {}});
     }
   }
   for (Index row = 0; row < points.size(); ++row) {
@@ -111,10 +113,10 @@ void describe_quasi_static(const Scene& scene, CheckReport& report) {
     report.not_modelled.push_back(absent);
   }
   for (const Body& body : scene.bodies) {
-    if (body.shape && !body.clip) {
+    if (body.shape && !is_filled_exactly(scene, body)) {
       report.notes.push_back(message("body ", body.name,
-                                     " is not clipped: its points integrate cut cells roughly; "
-                                     "set clip = true"));
+                                     " is filled by a lattice: its points integrate cut cells "
+                                     "roughly; set fill = \"exact\""));
     }
   }
   if (!settings.hold_empty_cells && scene.grid.shape_function == ShapeFunction::linear) {

@@ -39,6 +39,7 @@ std::string text_of(const CheckReport& report) {
   for (const CheckReport::BodyReport& body : report.bodies) {
     text += message("body          ", body.name, ": ", body.points, " points, ",
                     sizes[report.dimension - 1], " ", body.volume, units[report.dimension - 1],
+                    body.volume_of_shape ? message(" (shape ", *body.volume_of_shape, ")") : "",
                     ", spacing ", body.spacing, " m\n");
   }
   text += message("models        ", listed(report.modelled), "\n");
@@ -65,6 +66,10 @@ std::string json_of(const CheckReport& report) {
                                   {"volume", {}, {body.volume, {}}},
                                   {"spacing", {}, {body.spacing, {}}}},
                       {}});
+    if (body.volume_of_shape) {
+      std::get<Tree::Table>(bodies.back().value)
+          .push_back({"volume_of_shape", {}, {*body.volume_of_shape, {}}});
+    }
   }
   return emit_json({Tree::Table{{"title", {}, {report.title, {}}},
                                 {"dimension", {}, {Index{report.dimension}, {}}},

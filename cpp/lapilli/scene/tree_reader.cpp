@@ -1,6 +1,9 @@
 #include "lapilli/scene/tree_reader.hpp"
 
+#include <filesystem>
+
 #include "lapilli/core/allowed.hpp"
+#include "lapilli/geometry/number_rows.hpp"
 #include "lapilli/scene/renamed.hpp"
 
 namespace lapilli {
@@ -99,6 +102,34 @@ void TreeReader::read_text(const Tree& tree, const Key&, const std::string& path
   }
 }
 
+// A table in time from two columns of a text file, named from the folder of the scene.
+Table TreeReader::table_of_file(const Tree::Table& table, const Tree::Entry& file, const Key& key,
+                                const std::string& path) const {
+  const std::string file_path = joined_path(path, "file");
+  if (table.size() > 1) {
+    fail(file.value, file_path, "holds times and values: give a file or lists, not both");
+  }
+  const std::string* name = file.value.string();
+  if (!name) {
+    fail(file.value, file_path, message("must name a file, got ", in_words(file.value)));
+  }
+  const auto folder = std::filesystem::path(places_.source).parent_path();
+  TwoColumns columns;
+  try {
+    columns = read_two_columns((folder / *name).string());
+  } catch (const std::invalid_argument& error) {
+    fail(file.value, file_path, error.what());
+  }
+  for (std::size_t k = 0; k < columns.first.size(); ++k) {
+    double number = 0.0;
+    read_number({columns.second[k], file.place}, key, message(file_path, ", row ", k), number);
+    if (k > 0 && columns.first[k] <= columns.first[k - 1]) {
+      fail(file.value, file_path, message("has times that do not increase in row ", k));
+    }
+  }
+  return {std::move(columns.first), std::move(columns.second)};
+}
+
 void TreeReader::read_value(const Tree& tree, const Key& key, const std::string& path,
                             Value& value) {
   double number = 0.0;
@@ -111,9 +142,14 @@ void TreeReader::read_value(const Tree& tree, const Key& key, const std::string&
   if (!table) {
     fail(tree, path,
          message("must be a number", *key.of_unit ? " in " : "", key.of_unit,
-                 " or a table in time {times = [...], values = [...]}, got ", in_words(tree)));
+                 " or a table in time {times = [...], values = [...]} or {file = \"...\"}, got ",
+                 in_words(tree)));
   }
-  check_known(*table, path, {"times", "values"});
+  check_known(*table, path, {"times", "values", "file"});
+  if (const Tree::Entry* file = find(*table, "file")) {
+    value = Value(table_of_file(*table, *file, key, path));
+    return;
+  }
   Table in_time;
   for (const auto& [name, numbers, each] :
        {std::tuple("times", &in_time.times, Key("times").unit("s")),

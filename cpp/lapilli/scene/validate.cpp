@@ -214,6 +214,10 @@ void check_body_material(const Scene& scene, const Body& body, const std::string
   require_at(!scene.quasi_static || !body.motion, scene, path + ".motion",
              "contradicts [quasi_static], which moves the points itself");
   require_at(solid <= 1, scene, path + ".material", "has ", solid, " solid materials");
+  require_at(!body.fill || body.shape, scene, path + ".fill",
+             "has no effect on a body without a shape");
+  require_at(!scene.peridynamics || body.fill != Filling::exact, scene, path + ".fill",
+             "must be \"lattice\" in [peridynamics], whose operators need points of one volume");
   check_momentum_body(scene, body, solid, path);
 }
 

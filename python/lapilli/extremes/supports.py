@@ -78,7 +78,7 @@ def square(
         frame.roller("right", (SIDE, 0), (-1, 0)),
     ]
     walls[-1].displacement = ramp(STRAIN * SIDE * frame.e1)
-    body = lp.Body(shape=frame.box(SIDE, SIDE), material=[MATERIAL], clip=True, points_per_cell=4)
+    body = lp.Body(shape=frame.box(SIDE, SIDE), material=[MATERIAL], points_per_cell=4)
     corners = frame.line((0, 0), (SIDE, 0), (SIDE, SIDE), (0, SIDE))
     settings = lp.QuasiStatic(walls=walls)
     if bandwidth is not None:

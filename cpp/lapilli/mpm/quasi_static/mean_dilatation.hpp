@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lapilli/mpm/quasi_static/point_weights.hpp"
+
+namespace lapilli {
+
+/// The gradients that give nearly incompressible points the dilatation of their cell, the mean over
+/// the material in it, instead of their own (B-bar: Hughes 1980). One constraint on the volume a
+/// cell is what linear shape functions can meet; one a point locks them. Domains of GIMP take the
+/// means of the cells they overlap, by their shares.
+template <int Dim>
+class MeanDilatation {
+ public:
+  /// Of the points whose entry in `averaged` (by body) is set. `half_width` as for `PointWeights`,
+  /// `volume` in m^Dim, one a point.
+  void build(const Grid<Dim>& grid, std::span<const double> position,
+             std::span<const double> half_width, std::span<const double> volume,
+             std::span<const Index> body, std::span<const char> averaged,
+             const PointWeights<Dim>& weights);
+
+  /// At the nodes of the box of a point; null where its own gradients count.
+  const Vec<Dim>* of_point(Index point) const {
+    return start_.empty() || start_[point] < 0 ? nullptr : of_point_.data() + start_[point];
+  }
+  /// At the nodes of a cell; null without averaged material.
+  const Vec<Dim>* of_cell(Index cell) const {
+    return row_.empty() || row_[cell] < 0 ? nullptr : of_cell_.data() + row_[cell] * nodes;
+  }
+
+ private:
+  static constexpr Index nodes = 1 << Dim;
+
+  std::vector<Index> start_;  // of every point, -1: not averaged
+  std::vector<Vec<Dim>> of_point_;
+  std::vector<Index> row_;  // of every cell, -1: nothing averaged
+  std::vector<Vec<Dim>> of_cell_;
+};
+
+}  // namespace lapilli
