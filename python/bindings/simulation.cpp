@@ -187,7 +187,7 @@ void bind_ledger(py::module_& module) {
       "sum of the entries' sizes");
   number(
       "residual", [](const Ledger& ledger) { return ledger.residual(); },
-      "(stored - initial - taken in) over the larger of turnover and capacity x span");
+      "(stored - initial - taken in) over the largest turnover or span of the store so far");
   bound.def_property_readonly("entries",
                               py::cpp_function(
                                   [](const Ledger& ledger) {

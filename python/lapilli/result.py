@@ -27,8 +27,8 @@ class Result:
     """What a run left: the last state, the account of what it conserves, its record and frames.
 
     ``result["temperature"]`` is a read-only view of the last state in the present order of the
-    points; ``result.by_id("temperature")`` is a copy in the order of their ids. Both hold all
-    points, those of fluid walls too; ``result.body("air")["temperature"]`` holds those of one body.
+    points; ``result.by_id("temperature")`` is a copy in the order of their ids. Both hold all points,
+    those of fluid walls too; ``result.body("air")["temperature"]`` holds those of one body.
     ``result.history`` holds what was recorded in time.
     """
 
@@ -94,6 +94,12 @@ class Result:
             raise ValueError("the run wrote no record: give output='name.vtkhdf'")
         record: dict[str, Any] = json.loads(self.output.with_suffix(".json").read_text())
         return record
+
+    @property
+    def warnings(self) -> list[str]:
+        """What each physics says of its last state that is not wrong but not right either; needs
+        the record."""
+        return [warning for physics in self.record["physics"] for warning in physics["warnings"]]
 
 
 def run(

@@ -13,7 +13,7 @@ namespace {
 
 /// Units in three dimensions; `extensive` ones are per depth in fewer.
 struct Known {
-  const char* name;  // after the slash; one that ends in _ or . stands for all that begin with it
+  const char* name;  // after the slash; one that ends in _ stands for all that begin with it
   const char* unit;
   bool extensive;
   const char* meaning;
@@ -28,7 +28,6 @@ constexpr Known known_diagnostics[] = {
     {"largest_pivot", "", false, "largest pivot of the last factorisation"},
     {"condition_estimate", "", false, "ratio of the largest pivot to the smallest"},
     {"halvings", "", false, "times the last load step was halved"},
-    {"largest_strain", "", false, "largest strain of a point since the start"},
     {"deepest_penetration", "m", false, "depth of the deepest point behind a wall"},
     {"force_of_", "N", true, "force of a wall or support on the material, a component"},
     {"torque_of_", "N m", true, "torque of a wall or support on the material"},
@@ -42,8 +41,8 @@ constexpr Known known_diagnostics[] = {
     {"strain_transfer_loss", "J", true, "elastic energy lost between points and grid so far"},
     {"expansion_work", "J", true, "work of thermal expansion so far"},
     {"load_work", "J", true, "work of pressures and tractions so far"},
-    {"heat_flow.", "W", true, "heat that enters the fluid from a wall now"},
-    {"nusselt_number.", "", false, "heat flow of a wall over that of pure conduction"},
+    {"heat_flow_from_wall_", "W", true, "heat that enters the fluid from a wall now"},
+    {"nusselt_number_of_wall_", "", false, "heat flow of a wall over that of pure conduction"},
     {"bond_imbalance", "W", true, "heat that bonds create out of nothing"},
     {"velocity_noise", "", false, "share of the velocity that neighbours do not share"},
     {"least_density_variation", "", false, "least relative deviation of density"},
@@ -68,8 +67,7 @@ const Known* known_as(const std::string& name) {
   const Known* best = nullptr;
   for (const Known& known : known_diagnostics) {
     const std::string pattern = known.name;
-    if (pattern == name || (std::string("_.").find(pattern.back()) != std::string::npos &&
-                            name.starts_with(pattern))) {
+    if (pattern == name || (pattern.back() == '_' && name.starts_with(pattern))) {
       best = &known;
     }
   }
@@ -154,7 +152,7 @@ std::string snake_case(const std::string& words) {
   std::string name;
   for (const char letter : words) {
     const auto code = static_cast<unsigned char>(letter);
-    if (std::isalnum(code) != 0 || code >= 0x80 || letter == '.') {
+    if (std::isalnum(code) != 0 || code >= 0x80) {
       name += letter;
     } else if (!name.empty() && name.back() != '_') {
       name += '_';
@@ -198,8 +196,7 @@ std::string diagnostics_as_markdown() {
   };
   for (const Known& known : known_diagnostics) {
     const std::string name = known.name;
-    row(std::string("_.").find(name.back()) != std::string::npos ? name + "<name>" : name,
-        known.unit, known.meaning);
+    row(name.back() == '_' ? name + "<name>" : name, known.unit, known.meaning);
   }
   row("<quantity>/stored", "", "heat, energy, momentum or mass stored now");
   row("<quantity>/supplied_by_<name>", "", "what a boundary condition or source supplied so far");

@@ -52,12 +52,15 @@ class Simulation {
 
  private:
   StepReport advance(double size, bool look);
+  /// Remember the largest amount that every balance has seen.
+  void watch_balances();
 
   std::unique_ptr<Points> points_;
   std::vector<std::unique_ptr<Physics>> physics_;
   Clock clock_;
   double time_ = 0.0;
   Index index_ = 0;
+  std::vector<double> largest_;  // by ledger
 };
 
 }  // namespace lapilli

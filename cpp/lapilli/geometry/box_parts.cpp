@@ -111,51 +111,74 @@ class DistanceParts {
   const Sites& sites_;
 };
 
-Part part_of(const MomentSum& sum, const MomentSum& whole, const Vec3& corner) {
-  const bool is_whole = sum.volume >= (1.0 - rounding) * whole.volume;
-  Part part = (is_whole ? whole : sum).part(corner, rounding * whole.volume);
-  part.is_whole = is_whole;
-  return part;
-}
-
 // All boxes, those far from the surface by the distance alone. One task for each row of boxes.
 template <class Source>
-std::vector<BoxPart> all_parts(const Shape* near_surface_of, const Source& source,
-                               const Sites& sites) {
-  const auto &first = sites.first(), &last = sites.last();
-  const Index deep = last[1] - first[1] + 1, high = last[2] - first[2] + 1;
-  const MomentSum whole = moments_of_box(sites.spacing(), sites.dimension());
-  const double reach = 0.5 * sites.spacing() * std::sqrt(static_cast<double>(sites.dimension()));
-  std::vector<std::vector<BoxPart>> rows(static_cast<std::size_t>(deep * high));
-  parallel_tasks(deep * high, [&](Index row) {
-    Sites::Site site{first[0], first[1] + row % deep, first[2] + row / deep};
-    for (; site[0] <= last[0]; ++site[0]) {
-      const Vec3 corner = sites.corner(site);
-      MomentSum sum = whole;
-      if (near_surface_of != nullptr) {
-        const double depth = distance(*near_surface_of, sites.to_scene(sites.middle(site)));
-        if (depth >= reach) {
-          continue;
-        }
-        if (depth > -reach) {
-          sum = source.of(corner);
-        }
-      } else {
-        sum = source.of(corner);
+class AllParts {
+ public:
+  AllParts(const Shape* near_surface_of, const Source& source, const Sites& sites)
+      : near_surface_of_(near_surface_of),
+        source_(source),
+        sites_(sites),
+        whole_(moments_of_box(sites.spacing(), sites.dimension()).part(Vec3::Zero())),
+        reach_(0.5 * sites.spacing() * std::sqrt(static_cast<double>(sites.dimension()))) {
+    whole_.is_whole = true;
+  }
+
+  std::vector<BoxPart> collect() const {
+    const auto &first = sites_.first(), &last = sites_.last();
+    const Index deep = last[1] - first[1] + 1, high = last[2] - first[2] + 1;
+    std::vector<std::vector<BoxPart>> rows(static_cast<std::size_t>(deep * high));
+    parallel_tasks(deep * high, [&](Index row) {
+      Sites::Site site{first[0], first[1] + row % deep, first[2] + row / deep};
+      for (; site[0] <= last[0]; ++site[0]) {
+        add(site, rows[static_cast<std::size_t>(row)]);
       }
-      const Part part = part_of(sum, whole, corner);
-      if (part.volume > 0.0) {
-        rows[static_cast<std::size_t>(row)].push_back({site, part});
+    });
+    std::size_t count = 0;
+    for (const std::vector<BoxPart>& row : rows) {
+      count += row.size();
+    }
+    std::vector<BoxPart> parts;
+    parts.reserve(count);
+    for (std::vector<BoxPart>& row : rows) {
+      parts.insert(parts.end(), row.begin(), row.end());
+      row = {};
+    }
+    return parts;
+  }
+
+ private:
+  void add(const Sites::Site& site, std::vector<BoxPart>& row) const {
+    if (near_surface_of_ != nullptr) {
+      const double depth = distance(*near_surface_of_, sites_.to_scene(sites_.middle(site)));
+      if (depth >= reach_) {
+        return;
+      }
+      if (depth <= -reach_) {
+        add_whole(site, row);
+        return;
       }
     }
-  });
-  std::vector<BoxPart> parts;
-  for (std::vector<BoxPart>& row : rows) {
-    parts.insert(parts.end(), row.begin(), row.end());
-    row = {};
+    const Vec3 corner = sites_.corner(site);
+    const MomentSum sum = source_.of(corner);
+    if (sum.volume >= (1.0 - rounding) * whole_.volume) {
+      add_whole(site, row);
+    } else if (sum.volume > rounding * whole_.volume) {
+      row.push_back({site, sum.part(corner)});
+    }
   }
-  return parts;
-}
+
+  void add_whole(const Sites::Site& site, std::vector<BoxPart>& row) const {
+    row.push_back({site, whole_});
+    row.back().part.centroid = sites_.middle(site);
+  }
+
+  const Shape* near_surface_of_;
+  const Source& source_;
+  const Sites& sites_;
+  Part whole_;
+  double reach_;
+};
 
 }  // namespace
 
@@ -175,18 +198,18 @@ std::vector<BoxPart> parts_of(const Shape& shape, const Sites& sites) {
   }
   if (sites.dimension() == 2) {
     if (const auto image = placed_kind<ImageMask>(shape)) {
-      return all_parts(nullptr, ImageParts(*image, sites), sites);
+      return AllParts(nullptr, ImageParts(*image, sites), sites).collect();
     }
     if (auto outline = outline_of(shape)) {
-      return all_parts(&shape, OutlineParts(*std::move(outline), sites), sites);
+      return AllParts(&shape, OutlineParts(*std::move(outline), sites), sites).collect();
     }
   }
   if (sites.dimension() > 1) {
     if (auto terms = terms_of(shape)) {
-      return all_parts(&shape, FlatParts(*std::move(terms), sites), sites);
+      return AllParts(&shape, FlatParts(*std::move(terms), sites), sites).collect();
     }
   }
-  return all_parts(&shape, DistanceParts(shape, sites), sites);
+  return AllParts(&shape, DistanceParts(shape, sites), sites).collect();
 }
 
 }  // namespace lapilli

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lapilli/geometry/checks.hpp"
 
 namespace lapilli {
 namespace {
+
+constexpr double tiny = std::numeric_limits<double>::min();
 
 // The first Dim coordinates count.
 template <int Dim>
@@ -21,40 +24,41 @@ class Quadric {
   }
 
   // The nearest place of the surface lies at y_i a_i^2 / (t + a_i^2) for the largest root t of
-  // sum (a_i y_i / (t + a_i^2))^2 = 1 (Eberly 2013); if y is zero along the shortest axis, t may
-  // stop at minus its square, and the place leaves that plane.
+  // S(t) = sum (a_i y_i / (t + a_i^2))^2 = 1 (Eberly 2013); if y is zero along the shortest axis, t
+  // may stop at minus its square, and the place leaves that plane.
   Vec<Dim> nearest(const Vec3& x) const {
     const Vec<Dim> y = x.head<Dim>() - center_;
     const Vec<Dim> squares = half_.cwiseAbs2();
-    const double least = squares[shortest_];
-    // t = above - least, so that no digits are lost near -least.
-    const auto beyond = [&](double above) {
-      double sum = -1.0;
-      for (int axis = 0; axis < Dim; ++axis) {
-        const double denominator = above + (squares[axis] - least);
-        const double share = y[axis] == 0.0 ? 0.0 : half_[axis] * y[axis] / denominator;
-        sum += share * share;
-      }
-      return sum;
-    };
-    const auto place_at = [&](double above) {
-      Vec<Dim> place;
-      for (int axis = 0; axis < Dim; ++axis) {
-        const double denominator = above + (squares[axis] - least);
-        place[axis] = y[axis] == 0.0 ? 0.0 : y[axis] * squares[axis] / denominator;
-      }
-      return place;
-    };
     if (y[shortest_] == 0.0 && beyond_at_least(y, squares) <= 0.0) {
       return center_ + in_middle_plane(y, squares);
     }
-    double low = half_[shortest_] * std::abs(y[shortest_]);
-    double high = low + half_.cwiseProduct(y).norm() + least;
-    for (int step = 0; step < 200 && high - low > 1e-16 * high; ++step) {
-      const double middle = 0.5 * (low + high);
-      (beyond(middle) > 0.0 ? low : high) = middle;
+    // Measured from minus the least square, so that no digits are lost near it. 1 / sqrt(S) is
+    // nearly straight and concave: Newton's steps from below stay below and are few.
+    const Vec<Dim> beyond_least = squares.array() - squares[shortest_];
+    double above = half_[shortest_] * std::abs(y[shortest_]);
+    for (int step = 0; step < 60; ++step) {
+      double sum = 0.0, slope = 0.0;
+      for (int axis = 0; axis < Dim; ++axis) {
+        if (y[axis] != 0.0) {
+          const double denominator = std::max(above, tiny) + beyond_least[axis];
+          const double share = half_[axis] * y[axis] / denominator;
+          sum += share * share;
+          slope += share * share / denominator;
+        }
+      }
+      const double change = sum * (std::sqrt(sum) - 1.0) / slope;
+      above += change;
+      if (!(change > 1e-16 * above)) {
+        break;
+      }
     }
-    return center_ + place_at(0.5 * (low + high));
+    Vec<Dim> place = Vec<Dim>::Zero();
+    for (int axis = 0; axis < Dim; ++axis) {
+      if (y[axis] != 0.0) {
+        place[axis] = y[axis] * squares[axis] / (std::max(above, tiny) + beyond_least[axis]);
+      }
+    }
+    return center_ + place;
   }
 
   double level(const Vec3& x) const {

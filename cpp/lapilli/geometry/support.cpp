@@ -121,7 +121,7 @@ TightBounds tight_bounds(const Shape& shape) {
   for (int axis = 0; axis < 3; ++axis) {
     const Reach above = reach(shape, Vec3::Unit(axis)), below = reach(shape, -Vec3::Unit(axis));
     all.box.upper[axis] = above.most;
-    all.box.lower[axis] = -below.most;
+    all.box.lower[axis] = 0.0 - below.most;  // no negative zero in messages
     all.is_tight &= above.is_tight && below.is_tight;
   }
   return all;

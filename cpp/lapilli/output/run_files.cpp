@@ -36,6 +36,7 @@ void RunFiles::begin() {
   std::error_code ignored;
   std::filesystem::remove(checkpoint_path(options_.output), ignored);
   writer_.emplace(options_.output, schedule_.planned());
+  stepped_ = simulation_.time();
   write_frame(true);
   write_record("running", {});
   write_checkpoint({});
@@ -54,13 +55,17 @@ void RunFiles::resume(RunStatistics& statistics) {
   statistics.load(checkpoint.state);
   kept_frames_ = checkpoint.state.read_index("run/frames");
   history_.load(checkpoint.state);
+  stepped_ = time;
   writer_ = VtkhdfWriter::resume(options_.output, kept_frames_, schedule_.planned());
   write_record("running", statistics);
 }
 
 void RunFiles::after_step(const RunStatistics& statistics) {
   history_.after_step();
-  const bool due = schedule_.is_due(simulation_.time(), simulation_.step_index());
+  const double time = simulation_.time();
+  const bool due =
+      schedule_.is_due(time, simulation_.step_index()) || schedule_.is_passed(stepped_, time);
+  stepped_ = time;
   if (due) {
     history_.add(true);
   }

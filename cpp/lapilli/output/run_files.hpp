@@ -53,6 +53,7 @@ class RunFiles {
   HistoryRecorder history_;
   std::optional<VtkhdfWriter> writer_;
   Index kept_frames_ = 0;  // those that a resumed run does not write again
+  double stepped_ = 0.0;   // s, of the last step seen
   std::chrono::steady_clock::time_point checkpointed_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point recorded_;
 };

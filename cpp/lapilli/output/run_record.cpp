@@ -8,6 +8,7 @@
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/snake_case.hpp"
+#include "lapilli/core/warnings.hpp"
 #include "lapilli/output/file.hpp"
 #include "lapilli/output/json.hpp"
 
@@ -82,6 +83,13 @@ void write_physics(JsonWriter& json, const Physics& physics) {
     json.member(snake_case(name), value);
   }
   json.end_object();
+  json.key("warnings").begin_array();
+  if (const auto* warner = dynamic_cast<const Warnings*>(&physics)) {
+    for (const std::string& warning : warner->warnings()) {
+      json.value(warning);
+    }
+  }
+  json.end_array();
   json.end_object();
 }
 

@@ -1,10 +1,12 @@
 #include "lapilli/output/runner.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/step_refused.hpp"
+#include "lapilli/core/whole_steps.hpp"
 #include "lapilli/output/frame_schedule.hpp"
 #include "lapilli/output/run_files.hpp"
 
@@ -65,6 +67,22 @@ class Measure {
   double cpu_ = cpu_seconds();
 };
 
+/// Where the next step may end at the latest: at the next frame, or where the physics keeps its
+/// steps whole at the first frame after the step.
+double end_of_step(const Simulation& simulation, const FrameSchedule& schedule) {
+  double until = schedule.next_time(simulation.time());
+  const auto& all = simulation.physics();
+  if (std::any_of(all.begin(), all.end(), [](const auto& physics) {
+        return dynamic_cast<const WholeSteps*>(physics.get()) != nullptr;
+      })) {
+    const double whole = simulation.next_step_size() * (1.0 - 1e-6);
+    while (until < simulation.end() && until - simulation.time() < whole) {
+      until = schedule.next_time(until);
+    }
+  }
+  return until;
+}
+
 RunStatus step_to_end(Simulation& simulation, const RunOptions& options,
                       const FrameSchedule& schedule, RunFiles& files, RunStatistics& statistics) {
   ProgressReport progress(simulation, options.progress);
@@ -72,7 +90,7 @@ RunStatus step_to_end(Simulation& simulation, const RunOptions& options,
   progress.tell(size, true);
   RunStatus status = RunStatus::finished;
   while (simulation.time() < simulation.end()) {
-    const StepReport report = simulation.step(schedule.next_time(simulation.time()), false);
+    const StepReport report = simulation.step(end_of_step(simulation, schedule), false);
     size = report.accepted;
     statistics.count(report);
     files.after_step(statistics);
@@ -85,6 +103,13 @@ RunStatus step_to_end(Simulation& simulation, const RunOptions& options,
   files.stop(statistics);
   progress.tell(size, true);
   return status;
+}
+
+void require_closed_balances(const Simulation& simulation) {
+  const std::string wrong = open_balances(simulation.ledgers());
+  if (!wrong.empty()) {
+    throw RunError("at the end: " + wrong);
+  }
 }
 
 /// Record a failure; a disk that fails here too must not hide the reason of the first failure.
@@ -109,6 +134,9 @@ RunSummary run(Simulation& simulation, const RunOptions& options) {
   }
   try {
     const RunStatus status = step_to_end(simulation, options, schedule, files, measure.now());
+    if (status == RunStatus::finished) {
+      require_closed_balances(simulation);
+    }
     files.write_record(status == RunStatus::finished ? "finished" : "interrupted", measure.now());
     return {status,        simulation.time(), files.frames(),
             measure.now(), files.notes(),     files.history()};

@@ -55,6 +55,7 @@ class PeridynamicHeat final : public Physics {
   void add_dissipation();
   void update_points(const Step& step);
   double stored() const;
+  double span() const;  // J, capacity x range of the temperatures
 
   Points& points_;
   std::shared_ptr<WallSurface> walls_;

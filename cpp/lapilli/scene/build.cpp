@@ -5,6 +5,7 @@
 
 #include "lapilli/geometry/checks.hpp"
 #include "lapilli/geometry/combine.hpp"
+#include "lapilli/mpm/heat/heat_in_body_frame.hpp"
 #include "lapilli/mpm/heat/heat_on_points.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/momentum/momentum.hpp"
@@ -76,6 +77,16 @@ double half_width_of(const Scene& scene, const FilledPoints& filled) {
   return std::min(0.5, 0.5 * filled.spacing / scene.grid.cell);
 }
 
+// The one prescribed motion that all bodies share; none where they do not, or nothing moves.
+std::optional<Motion> common_motion(const Scene& scene) {
+  const std::optional<Motion>& first = scene.bodies.front().motion;
+  const bool shared = first && !scene.momentum && is_rigid(*first) &&
+                      std::all_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
+                        return body.motion && is_same(*body.motion, *first);
+                      });
+  return shared ? first : std::nullopt;
+}
+
 template <int Dim>
 std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
                                  const std::vector<FilledPoints>& filled, Points& points) {
@@ -88,10 +99,11 @@ std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
           wall);
     }
   }
+  problem.frame = common_motion(scene);
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const Body& body = scene.bodies[k];
     problem.bodies.push_back({material_of<Thermal>(body), half_width_of(scene, filled[k]),
-                              body.temperature, body.source});
+                              body.temperature, body.source, placed_shape(body)});
   }
   return at_place(scene, "heat", [&] { return make_heat<Dim>(points, std::move(problem)); });
 }
@@ -241,7 +253,10 @@ std::unique_ptr<Simulation> build_in(const Scene& scene) {
     for (const Body& body : scene.bodies) {
       motions.push_back(body.motion);
     }
-    physics.push_back(std::make_unique<PrescribedMotion<Dim>>(*points, std::move(motions)));
+    // Heat in the frame of the bodies does not ask where they are.
+    const bool lazy = physics.size() == 1 &&
+                      dynamic_cast<HeatInBodyFrame<Dim>*>(physics.front().get()) != nullptr;
+    physics.push_back(std::make_unique<PrescribedMotion<Dim>>(*points, std::move(motions), lazy));
   }
   auto simulation = in_file(scene, scene.time.steps ? "time.steps" : "time.step", [&] {
     return std::make_unique<Simulation>(std::move(points), std::move(physics), clock_of(scene));

@@ -1,7 +1,9 @@
 #include "lapilli/scene/check.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "lapilli/core/require.hpp"
@@ -9,6 +11,7 @@
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
+#include "lapilli/scene/validate_heat.hpp"
 
 namespace lapilli {
 namespace {
@@ -81,6 +84,7 @@ void describe_heat(const Scene& scene, CheckReport& report) {
   for (const HeatBoundary& law : scene.heat->boundaries) {
     ++laws[law.index()];
   }
+  std::ranges::copy(heat_warnings(scene), std::back_inserter(report.notes));
   const char* names[4] = {"prescribed flux", "convection", "radiation", "prescribed temperature"};
   for (int k = 0; k < 4; ++k) {
     if (laws[k] > 0) {
@@ -126,6 +130,25 @@ void describe_quasi_static(const Scene& scene, CheckReport& report) {
   }
 }
 
+// Where the default transfer is weaker than elsewhere.
+void describe_transfer(const Scene& scene, CheckReport& report) {
+  if (scene.momentum->transfer != VelocityTransfer::blended_apic) {
+    return;
+  }
+  if (scene.grid.shape_function == ShapeFunction::linear) {
+    report.notes.push_back(
+        "momentum.transfer blended_apic has no affine part with linear functions: spin fades");
+  }
+  const double enough = 0.75 * scene.grid.cell;
+  for (const CheckReport::BodyReport& body : report.bodies) {
+    if (body.spacing > enough) {
+      report.notes.push_back(message("body ", body.name, " has fewer than ", 1 << report.dimension,
+                                     " points a cell: with momentum.transfer blended_apic it may "
+                                     "fall apart after some 10,000 steps"));
+    }
+  }
+}
+
 void describe_momentum(const Scene& scene, CheckReport& report) {
   if (!scene.momentum) {
     report.not_modelled.push_back("explicit momentum");
@@ -146,6 +169,10 @@ void describe_momentum(const Scene& scene, CheckReport& report) {
         },
         wall);
   }
+  for (const Obstacle& obstacle : settings.obstacles) {
+    report.modelled.push_back(message(name_of(obstacle.contact), " obstacle ", obstacle.name,
+                                      obstacle.name.empty() ? "" : ": ", kind_of(obstacle.shape)));
+  }
   for (const Body& body : scene.bodies) {
     for (const Material& material : body.material) {
       if (std::holds_alternative<ThermalExpansion>(material)) {
@@ -161,6 +188,10 @@ void describe_momentum(const Scene& scene, CheckReport& report) {
   if (settings.walls.empty()) {
     report.notes.push_back("[momentum] has no walls: a point that leaves the grid stops the run");
   }
+  for (const std::string& warning : warnings(settings)) {
+    report.notes.push_back(warning);
+  }
+  describe_transfer(scene, report);
   for (const char* absent : {"hardening", "pore pressure",
                              "contact between bodies other than "
                              "through common nodes"}) {

@@ -1,8 +1,12 @@
 #include "lapilli/scene/run_scene.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "lapilli/output/checksum.hpp"
 #include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/scene_file.hpp"
+#include "lapilli/scene/validate_heat.hpp"
 
 namespace lapilli {
 namespace {
@@ -62,6 +66,7 @@ RunOptions run_options(const Scene& scene) {
     }
   }
   options.notes = unused_settings(scene);
+  std::ranges::copy(heat_warnings(scene), std::back_inserter(options.notes));
   options.checkpoint = scene.output.checkpoint;
   options.checkpoint_interval_seconds = scene.output.checkpoint_every.value_or(0.0);
   options.scene_text = text_for_record(scene);

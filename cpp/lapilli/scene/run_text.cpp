@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/core/warnings.hpp"
 
 namespace lapilli {
 namespace {
@@ -60,6 +61,13 @@ std::string summary_text(const Simulation& simulation, const RunSummary& summary
     text += message(ledger.quantity, ": ", formatted("%.6g ", ledger.taken_in()), ledger.unit,
                     formatted(" came in, %.6g stored at the end, balance off by %.1e\n",
                               ledger.stored, ledger.residual()));
+  }
+  for (const auto& physics : simulation.physics()) {
+    if (const auto* warner = dynamic_cast<const Warnings*>(physics.get())) {
+      for (const std::string& warning : warner->warnings()) {
+        text += "warning: " + warning + "\n";
+      }
+    }
   }
   for (const std::string& note : summary.notes) {
     text += "note: " + note + "\n";

@@ -1,5 +1,6 @@
 #include "lapilli/scene/tree_reader.hpp"
 
+#include <cmath>
 #include <filesystem>
 
 #include "lapilli/core/allowed.hpp"
@@ -104,7 +105,7 @@ void TreeReader::read_text(const Tree& tree, const Key&, const std::string& path
 
 // A table in time from two columns of a text file, named from the folder of the scene.
 Table TreeReader::table_of_file(const Tree::Table& table, const Tree::Entry& file, const Key& key,
-                                const std::string& path) const {
+                                const std::string& path) {
   const std::string file_path = joined_path(path, "file");
   if (table.size() > 1) {
     fail(file.value, file_path, "holds times and values: give a file or lists, not both");
@@ -123,8 +124,8 @@ Table TreeReader::table_of_file(const Tree::Table& table, const Tree::Entry& fil
   for (std::size_t k = 0; k < columns.first.size(); ++k) {
     double number = 0.0;
     read_number({columns.second[k], file.place}, key, message(file_path, ", row ", k), number);
-    if (k > 0 && columns.first[k] <= columns.first[k - 1]) {
-      fail(file.value, file_path, message("has times that do not increase in row ", k));
+    if (k > 0 && columns.first[k] < columns.first[k - 1]) {
+      fail(file.value, file_path, message("has times that decrease in row ", k));
     }
   }
   return {std::move(columns.first), std::move(columns.second)};
@@ -174,9 +175,8 @@ void TreeReader::read_value(const Tree& tree, const Key& key, const std::string&
          message("needs as many values as times, got ", in_time.values.size(), " and ",
                  in_time.times.size()));
   }
-  if (std::adjacent_find(in_time.times.begin(), in_time.times.end(), std::greater_equal<>()) !=
-      in_time.times.end()) {
-    fail(tree, joined_path(path, "times"), "must increase");
+  if (!in_time.is_ordered()) {
+    fail(tree, joined_path(path, "times"), "must increase; two equal times, not three, are a jump");
   }
   value = Value(std::move(in_time));
 }

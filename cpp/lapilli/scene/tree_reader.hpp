@@ -71,7 +71,7 @@ class TreeReader {
   void read_text(const Tree& tree, const Key& key, const std::string& path,
                  std::string& text) const;
   Table table_of_file(const Tree::Table& table, const Tree::Entry& file, const Key& key,
-                      const std::string& path) const;
+                      const std::string& path);
   void read_value(const Tree& tree, const Key& key, const std::string& path, Value& value);
   void read_tensor(const Tree& tree, const Key& key, const std::string& path,
                    SymmetricTensor& tensor) const;

@@ -10,6 +10,7 @@
 #include "lapilli/scene/mistakes.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/resolve_files.hpp"
+#include "lapilli/scene/validate_heat.hpp"
 #include "lapilli/scene/validate_peridynamics.hpp"
 
 namespace lapilli {
@@ -75,10 +76,11 @@ class RangeCheck {
   void check_table(const Table& table, const std::string& path) const {
     require_at(!table.times.empty() && table.times.size() == table.values.size(), scene_, path,
                "needs as many values as times, at least one");
-    for (std::size_t k = 0; k < table.times.size(); ++k) {
-      require_at(std::isfinite(table.times[k]) && (k == 0 || table.times[k] > table.times[k - 1]),
-                 scene_, path, "has times that do not increase");
-    }
+    require_at(std::all_of(table.times.begin(), table.times.end(),
+                           [](double time) { return std::isfinite(time); }),
+               scene_, path, "has a time that is not finite");
+    require_at(table.is_ordered(), scene_, path,
+               "has times that do not increase; two equal times, not three, are a jump");
   }
 
   template <class T>
@@ -289,6 +291,7 @@ void validate(const Scene& as_written) {
     mistakes.gather([&] { check_quasi_static(scene); });
   }
   mistakes.gather([&] { validate_peridynamics(scene); });
+  mistakes.gather([&] { validate_heat(scene); });
   mistakes.gather([&] { check_probes(scene); });
   if (scene.momentum) {
     mistakes.gather([&] {

@@ -70,7 +70,7 @@ TEST_CASE("combinations of flat shapes keep volume and centroid in any pose and 
 TEST_CASE("a mesh gives its exact volume and centroid in any pose") {
   Random random(5);
   for (const Mesh& mesh : {ball_mesh(3), cube_mesh(0.0, 1.0)}) {
-    check(mesh, 3);
+    mesh.check(3);
     const double exact = mesh.surface->volume();
     const Vec3 middle = mesh.triangles.size() == 12 ? Vec3::Constant(0.5) : Vec3(Vec3::Zero());
     for (int draw = 0; draw < 4; ++draw) {
@@ -87,6 +87,7 @@ TEST_CASE("a mesh gives its exact volume and centroid in any pose") {
 TEST_CASE("holes of a mesh stay empty and parts that overlap are joined") {
   const Mesh outer = cube_mesh(0.0, 1.0);
   const auto total_of = [](const Mesh& mesh) {
+    mesh.check(3);
     return total(exact_fill(mesh, Vec3(-0.03, -0.02, -0.01), 0.25, 3));
   };
   REQUIRE(total_of(joined(outer, turned_inside_out(cube_mesh(0.25, 0.75)))) ==

@@ -122,11 +122,11 @@ TEST_CASE("unusable fills are refused") {
   FillOptions options;
   options.jitter = 0.6;
   refused(lattice, options, "jitter must be 0 to 0.5 of the spacing, got 0.6");
-  options.jitter = 0.1;
-  options.clip = true;
+  options.jitter = 0.0;
+  options.clip = options.random = true;
   refused(lattice, options, "give clip or random, not both");
   options.clip = false;
-  options.random = true;
+  options.jitter = 0.1;
   refused(lattice, options, "random or jitter, not both");
   refused({Vec3::Zero(), -1, 2}, {}, "cell must be positive and finite, got -1");
   refused({Vec3::Zero(), 1, 0}, {}, "points_per_axis must be at least 1, got 0");

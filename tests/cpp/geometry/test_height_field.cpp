@@ -25,7 +25,7 @@ HeightField field(std::vector<std::vector<double>> values, double spacing, doubl
 TEST_CASE("ground in two dimensions is the polygon below its heights") {
   HeightField ground = field({{1.0, 2.0, 0.5}}, 2.0, -1.0);
   ground.origin = {0.5};
-  check(ground, 2);
+  ground.check(2);
   const Polygon polygon{{{0.5, -1}, {4.5, -1}, {4.5, 0.5}, {2.5, 2}, {0.5, 1}}};
   for (const Vec3& x : random_points(300, 2, {Vec3(-1, -2, 0), Vec3(6, 4, 0)})) {
     REQUIRE(distance(ground, x) == Approx(distance(polygon, x)));
@@ -46,10 +46,13 @@ TEST_CASE("ground in space has the distance of its flat parts and the volume of 
     }
   }
   HeightField ground = field(values, 1.0, -1.0);
-  check(ground, 3);
+  ground.check(3);
   const Vec3 normal = Vec3(-0.5, 0.25, 1.0).normalized();
   for (const Vec3& x : random_points(200, 3, {Vec3(2, 1, 3), Vec3(4, 3, 5)})) {
-    REQUIRE(distance(ground, x) == Approx(normal.dot(x - Vec3(0, 0, 3.0))).margin(1e-12));
+    const double away = normal.dot(x - Vec3(0, 0, 3.0));
+    if (std::abs(away) < 1.0) {  // nearer than to the sides
+      REQUIRE(distance(ground, x) == Approx(away).margin(1e-12));
+    }
   }
   FillOptions options;
   options.clip = true;
@@ -70,7 +73,7 @@ TEST_CASE("ground is read from ESRI grids and images") {
   HeightField ground;
   ground.file = file.path();
   ground.bottom = -1.0;
-  check(ground, 3);
+  ground.check(3);
   REQUIRE(distance(ground, Vec3(11.0, 22.0, 4.0)) == Approx(0.0).margin(1e-12));
   REQUIRE(bounds(ground).upper == Vec3(15, 22, 6));
 
@@ -79,7 +82,7 @@ TEST_CASE("ground is read from ESRI grids and images") {
   drawn.file = image.path();
   drawn.spacing = 0.5;
   drawn.scale = 8.0;
-  check(drawn, 3);
+  drawn.check(3);
   REQUIRE(bounds(drawn).upper == Vec3(1.0, 0.5, 8.0));
 
   const auto refused = [&](const std::string& bytes, const std::string& text) {

@@ -98,7 +98,7 @@ TEST_CASE("a mistake names file, line, column, key, and what is allowed") {
       Mistake{"kind = \"annulus\", ", "", "bodies[0].shape.kind is missing: which of box"},
       Mistake{"outer = 5", "outer = [5]",
               "bodies[0].shape.outer must be a number in m, got a list of 1"},
-      Mistake{"[0, 1]", "[0, 0]", "heat.boundaries[0].ambient.times must increase"},
+      Mistake{"[0, 1]", "[1, 0]", "heat.boundaries[0].ambient.times must increase"},
       Mistake{"[0, 1]", "[0]", "needs as many values as times, got 2 and 1"},
       Mistake{"[heat]", "[hat]", "ring.toml:10:2: hat is no known key; did you mean 'heat'"},
       Mistake{"end = 10", "end = 10\nstep = \"fast\"",

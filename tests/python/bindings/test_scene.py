@@ -81,7 +81,7 @@ def test_set_gives_a_changed_copy(ring: lp.Scene) -> None:
         (lambda: lp.Heat(transfer="flp"), "unknown Heat.transfer 'flp'; did you mean 'flip'"),
         (lambda: lp.Union(shapes=[lp.Disk(radius=1), 3]), r"Union.shapes\[1\] must be a shape"),
         (lambda: lp.Flux(value="x"), "value must be a number, a Table, a pair"),
-        (lambda: lp.Flux(value=([0, 0], [1, 2])), "needs times that increase"),
+        (lambda: lp.Flux(value=([1, 0], [1, 2])), "needs times that increase"),
         (lambda: lp.Time(end=1, step="automatic"), "step must be a number"),
         (lambda: lp.Heat(boundaries=[lp.Disk(radius=1)]), r"boundaries\[0\] must be Flux \| "),
     ],

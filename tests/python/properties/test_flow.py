@@ -71,8 +71,8 @@ def test_a_slab_conducts_exactly_wherever_its_faces_and_sides_are(seed: int):
     assert np.abs(simulation.by_id("temperature")[fluid] - exact).max() < 1e-7
     assert simulation.by_id("volume")[fluid].sum() == pytest.approx(width * height, rel=1e-9)
     numbers = simulation.diagnostics()
-    assert numbers["heat/heat_flow.hot"] == pytest.approx(height / width, rel=1e-7)
-    assert numbers["heat/heat_flow.cold"] == pytest.approx(-height / width, rel=1e-7)
+    assert numbers["heat/heat_flow_from_wall_hot"] == pytest.approx(height / width, rel=1e-7)
+    assert numbers["heat/heat_flow_from_wall_cold"] == pytest.approx(-height / width, rel=1e-7)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -95,8 +95,8 @@ def test_a_turned_slab_conducts_to_half_a_percent(seed: int):
     simulation.run_until(4.0)
     width, height = upper - lower
     numbers = simulation.diagnostics()
-    assert numbers["heat/heat_flow.hot"] == pytest.approx(height / width, rel=5e-3)
-    assert numbers["heat/heat_flow.cold"] == pytest.approx(-height / width, rel=5e-3)
+    assert numbers["heat/heat_flow_from_wall_hot"] == pytest.approx(height / width, rel=5e-3)
+    assert numbers["heat/heat_flow_from_wall_cold"] == pytest.approx(-height / width, rel=5e-3)
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -48,8 +48,8 @@ def test_flux_in_and_convection_out_of_a_rod():
     # Straight lines are kept; what is left of the start has fallen below 1e-8.
     assert np.abs(simulation.by_id("temperature")[fluid] - exact).max() < 1e-7
     numbers = simulation.diagnostics()
-    assert math.isclose(numbers["heat/heat_flow.in"], flux, rel_tol=1e-12)
-    assert math.isclose(numbers["heat/heat_flow.out"], -flux, rel_tol=1e-6)
+    assert math.isclose(numbers["heat/heat_flow_from_wall_in"], flux, rel_tol=1e-12)
+    assert math.isclose(numbers["heat/heat_flow_from_wall_out"], -flux, rel_tol=1e-6)
 
 
 def test_conduction_between_round_walls():
@@ -79,7 +79,7 @@ def test_conduction_between_round_walls():
     exact = np.log(radius / outer) / np.log(inner / outer)
     found = simulation.by_id("temperature")[fluid]
     assert np.linalg.norm(found - exact) <= 2e-3 * np.linalg.norm(exact)
-    power = simulation.diagnostics()["heat/heat_flow.hot"]
+    power = simulation.diagnostics()["heat/heat_flow_from_wall_hot"]
     assert math.isclose(power, 2 * math.pi / math.log(outer / inner), rel_tol=2e-3)
 
 

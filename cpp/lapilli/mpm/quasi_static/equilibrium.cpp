@@ -70,8 +70,15 @@ void Equilibrium<Dim>::external_force() {
         const Index p = weights_.order()[k];
         const Vec<Dim> load = volume_[p] * loads_.body_force[p];
         const double* value = weights_.value(p);
+        const Vec<Dim>* gradient = weights_.gradient(p);
+        const Vec<Dim>* mean = state_.mean.of_point(p);
+        const double linear_pressure = load.dot(state_.mean.arm(p));
         for_each_node(grid_, group.box, [&](int a, Index node) {
-          external_.segment<Dim>(Dim * system_.row(node)) += value[a] * load;
+          Vec<Dim> on_node = value[a] * load;
+          if (mean != nullptr) {
+            on_node += linear_pressure * (gradient[a] - mean[a]);
+          }
+          external_.segment<Dim>(Dim * system_.row(node)) += on_node;
         });
       }
     });

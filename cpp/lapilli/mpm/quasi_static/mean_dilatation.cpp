@@ -39,6 +39,8 @@ void MeanDilatation<Dim>::build(const Grid<Dim>& grid, std::span<const double> p
   row_.clear();
   of_point_.clear();
   of_cell_.clear();
+  middle_.clear();
+  arm_.clear();
   if (std::none_of(body.begin(), body.end(), [&](Index one) { return averaged[one] != 0; })) {
     return;
   }
@@ -61,12 +63,14 @@ void MeanDilatation<Dim>::build(const Grid<Dim>& grid, std::span<const double> p
       if (row_[cell] < 0) {
         row_[cell] = static_cast<Index>(weight.size());
         weight.push_back(0.0);
+        middle_.push_back(Vec<Dim>::Zero());
         of_cell_.resize(of_cell_.size() + nodes, Vec<Dim>::Zero());
       }
       double value[nodes];
       Vec<Dim> gradient[nodes];
       cell_shape<Dim>(grid, grid.cell_at(cell), middle, value, gradient);
       weight[row_[cell]] += share * volume[p];
+      middle_[row_[cell]] += share * volume[p] * middle;
       for (Index a = 0; a < nodes; ++a) {
         of_cell_[row_[cell] * nodes + a] += share * volume[p] * gradient[a];
       }
@@ -75,13 +79,18 @@ void MeanDilatation<Dim>::build(const Grid<Dim>& grid, std::span<const double> p
   for (std::size_t k = 0; k < of_cell_.size(); ++k) {
     of_cell_[k] /= std::max(weight[k / nodes], 1e-300);
   }
+  for (std::size_t row = 0; row < middle_.size(); ++row) {
+    middle_[row] /= std::max(weight[row], 1e-300);
+  }
   of_point_.assign(room, Vec<Dim>::Zero());
+  arm_.assign(weights.size(), Vec<Dim>::Zero());
   for (Index p = 0; p < weights.size(); ++p) {
     if (start_[p] < 0) {
       continue;
     }
     const CellBox<Dim>& box = weights.box(p);
-    each_part(p, [&](Index cell, double share, const Vec<Dim>&) {
+    each_part(p, [&](Index cell, double share, const Vec<Dim>& middle) {
+      arm_[p] += share * (middle - middle_[row_[cell]]);
       const auto at = grid.cell_at(cell);
       for (Index a = 0; a < nodes; ++a) {
         Index node = 0, stride = 1;

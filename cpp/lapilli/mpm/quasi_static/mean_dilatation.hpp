@@ -25,6 +25,16 @@ class MeanDilatation {
   const Vec<Dim>* of_point(Index point) const {
     return start_.empty() || start_[point] < 0 ? nullptr : of_point_.data() + start_[point];
   }
+  /// From the middle of the material of its cell to a point, m; zero where nothing is averaged. A
+  /// body force b leaves the linear part b . arm of the pressure in the cell, which the mean does
+  /// not see.
+  Vec<Dim> arm(Index point) const {
+    return arm_.empty() ? Vec<Dim>(Vec<Dim>::Zero()) : arm_[point];
+  }
+  Vec<Dim> arm(Index cell, const Vec<Dim>& place) const {
+    return row_.empty() || row_[cell] < 0 ? Vec<Dim>(Vec<Dim>::Zero())
+                                          : Vec<Dim>(place - middle_[row_[cell]]);
+  }
   /// At the nodes of a cell; null without averaged material.
   const Vec<Dim>* of_cell(Index cell) const {
     return row_.empty() || row_[cell] < 0 ? nullptr : of_cell_.data() + row_[cell] * nodes;
@@ -37,6 +47,8 @@ class MeanDilatation {
   std::vector<Vec<Dim>> of_point_;
   std::vector<Index> row_;  // of every cell, -1: nothing averaged
   std::vector<Vec<Dim>> of_cell_;
+  std::vector<Vec<Dim>> middle_;  // of the averaged material of each such cell
+  std::vector<Vec<Dim>> arm_;     // of every point
 };
 
 }  // namespace lapilli

@@ -181,9 +181,8 @@ std::vector<Facet<Dim>> MovingSurface<Dim>::cut(
   std::vector<std::function<double(const Vec3&)>> trims;
   if (counts) {
     // Flat pieces of a curved surface lie off it.
-    trims.push_back([this, &counts](const Vec3& at) {
-      return counts(is_solid() ? project(*shape_, at) : at);
-    });
+    trims.push_back(
+        [this, &counts](const Vec3& at) { return counts(is_solid() ? project(*shape_, at) : at); });
   }
   if (within_) {
     const Vec<Dim> by = offset(time);

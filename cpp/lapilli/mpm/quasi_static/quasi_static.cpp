@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/step_refused.hpp"
-#include "lapilli/mpm/quasi_static/supports.hpp"
 
 namespace lapilli {
 namespace {
@@ -199,18 +197,6 @@ void QuasiStatic<Dim>::require_positive(const PivotReport& pivots) const {
               "gap_bandwidth"));
 }
 
-/// What was asked of the tractions and what the nodes get.
-template <int Dim>
-void QuasiStatic<Dim>::require_loads_arrive(const Equilibrium<Dim>& equilibrium) const {
-  constexpr double most_lost = 1e-8;
-  const double lost = equilibrium.lost_surface_force();
-  if (lost > most_lost) {
-    throw RunError(message("a share of ", lost,
-                           " of the tractions acts on nodes that carry no "
-                           "stiffness: use ghost stabilisation (ghost = 0.01)"));
-  }
-}
-
 template <int Dim>
 bool QuasiStatic<Dim>::is_reset_due() const {
   const double farthest = reference_.farthest(points_);
@@ -224,37 +210,6 @@ void QuasiStatic<Dim>::reset_grid(double time) {
   reference_.scheme = scheme_;
   reference_.wall_forces = wall_forces_;
   reference_.locate(grid_, points_, materials_, averaged_, boundary_);
-}
-
-template <int Dim>
-Loads<Dim> QuasiStatic<Dim>::collect_loads(double to) const {
-  Loads<Dim> loads;
-  loads.since_reset = reference_.moved;
-  std::vector<std::vector<Vec<Dim>>> motions;
-  for (const Facet<Dim>& facet : reference_.facets) {
-    motions.push_back(boundary_.wall(facet.surface).increments(facet, reference_.time, to));
-    loads.walls.push_back(wall_term<Dim>(grid_, *reference_.state, facet,
-                                         boundary_.kinds()[facet.surface], motions.back(),
-                                         reference_.scheme));
-  }
-  require_agreeing<Dim>(grid_, reference_.facets, motions, boundary_.kinds(), boundary_.names());
-  require_held<Dim>(grid_, points_, reference_.weights, reference_.facets, boundary_.kinds());
-  loads.ghost = ghost_;
-  if (ghost_ > 0.0) {
-    loads.ghost_pairs = ghost_pairs<Dim>(grid_, *reference_.state, reference_.facets);
-  }
-  if (!settings_.body_force.empty()) {
-    std::vector<Vec3> places(points_.size(), Vec3::Zero());
-    for (Index p = 0; p < points_.size(); ++p) {
-      places[p].template head<Dim>() = points_.position<Dim>(p);
-    }
-    loads.body_force = values_at<Dim>(settings_.body_force, places, to);
-    for (Index p = 0; p < points_.size(); ++p) {
-      loads.body_force[p] *= start_volume_[p] / reference_.volume[p];
-    }
-  }
-  loads.surface_forces = boundary_.surface_forces(reference_.loaded, to);
-  return loads;
 }
 
 template <int Dim>

@@ -6,6 +6,8 @@
 
 #include "lapilli/core/physics.hpp"
 #include "lapilli/core/points.hpp"
+#include "lapilli/core/warnings.hpp"
+#include "lapilli/core/whole_steps.hpp"
 #include "lapilli/mpm/quasi_static/equilibrium.hpp"
 #include "lapilli/mpm/quasi_static/reference.hpp"
 #include "lapilli/mpm/quasi_static/settings.hpp"
@@ -18,7 +20,7 @@ namespace lapilli {
 /// step; a step that fails is halved, and the points keep the last state that converged. Not
 /// modelled: inertia, large strains (volumes stay), friction, walls that let go.
 template <int Dim>
-class QuasiStatic final : public Physics {
+class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
  public:
   /// `materials` by body; `shapes` of all bodies at time 0, empty when they are not known:
   /// tractions on the surface of a shape end where it leaves them. `points` must outlive the
@@ -37,6 +39,9 @@ class QuasiStatic final : public Physics {
   /// Of the last load step: residual, iterations, pivots, condition estimate, halvings,
   /// penetration, force of each wall on the material.
   std::vector<std::pair<std::string, double>> diagnostics() const override;
+
+  /// Strains beyond what the law for small strains carries.
+  std::vector<std::string> warnings() const override;
 
   /// Force of each wall on the material in the last load step, N (per metre thickness in 2D).
   std::span<const Vec<Dim>> wall_forces() const { return wall_forces_; }
@@ -58,6 +63,7 @@ class QuasiStatic final : public Physics {
   bool is_reset_due() const;
   void reset_grid(double time);
   Loads<Dim> collect_loads(double to) const;
+  void add_hydrostatic(double to, Loads<Dim>& loads) const;
   Equilibrium<Dim> equilibrium_under(const Loads<Dim>& loads);
   Report attempt(double from, double to);
   Report try_step(double from, double to);

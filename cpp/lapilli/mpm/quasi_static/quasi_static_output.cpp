@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <utility>
 
+#include "lapilli/core/require.hpp"
+
 namespace lapilli {
 
 template <int Dim>
@@ -64,6 +66,17 @@ double QuasiStatic<Dim>::largest_strain() const {
 }
 
 template <int Dim>
+std::vector<std::string> QuasiStatic<Dim>::warnings() const {
+  constexpr double small = 0.02;
+  const double strain = largest_strain();
+  if (strain <= small) {
+    return {};
+  }
+  return {message("quasi_static: the largest strain is ", strain,
+                  "; the law is one of small strains, good to about ", small)};
+}
+
+template <int Dim>
 std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() const {
   std::vector<std::pair<std::string, double>> numbers{
       {"iterations", report_.newton.iterations},    {"residual", report_.newton.residual},
@@ -81,11 +94,12 @@ std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() cons
   return numbers;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                \
-  template std::vector<Field> QuasiStatic<Dim>::fields();       \
-  template void QuasiStatic<Dim>::save(Archive& archive) const; \
-  template void QuasiStatic<Dim>::load(const Archive& archive); \
-  template double QuasiStatic<Dim>::largest_strain() const;     \
+#define LAPILLI_INSTANTIATE(Dim)                                        \
+  template std::vector<Field> QuasiStatic<Dim>::fields();               \
+  template void QuasiStatic<Dim>::save(Archive& archive) const;         \
+  template void QuasiStatic<Dim>::load(const Archive& archive);         \
+  template std::vector<std::string> QuasiStatic<Dim>::warnings() const; \
+  template double QuasiStatic<Dim>::largest_strain() const;             \
   template std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() const;
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)

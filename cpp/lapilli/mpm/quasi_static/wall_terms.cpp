@@ -171,6 +171,18 @@ WallTerm<Dim> wall_term(const Grid<Dim>& grid, const CellState<Dim>& state, cons
 }
 
 template <int Dim>
+void WallTerm<Dim>::push(const Grid<Dim>& grid, const SurfacePoint<Dim>& point,
+                         const Vec<Dim>& by) {
+  double value[nodes];
+  Vec<Dim> gradient[nodes];
+  cell_shape<Dim>(grid, box.first, point.position, value, gradient);
+  for (int a = 0; a < nodes; ++a) {
+    force.template segment<Dim>(a * Dim) += value[a] * by;
+  }
+  given += by;
+}
+
+template <int Dim>
 Eigen::MatrixXd ghost_matrix(int axis, double cell_size) {
   CellBox<Dim> box{};
   box.cells.fill(1);
@@ -210,6 +222,8 @@ template WallTerm<2> wall_term(const Grid<2>&, const CellState<2>&, const Facet<
                                std::span<const Vec<2>>, const WallScheme&);
 template WallTerm<3> wall_term(const Grid<3>&, const CellState<3>&, const Facet<3>&, HeldMotion,
                                std::span<const Vec<3>>, const WallScheme&);
+template struct WallTerm<2>;
+template struct WallTerm<3>;
 template Eigen::MatrixXd ghost_matrix<2>(int, double);
 template Eigen::MatrixXd ghost_matrix<3>(int, double);
 
