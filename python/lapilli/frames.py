@@ -44,9 +44,7 @@ class Frame:
         record = self._path.with_suffix(".json")
         if isinstance(which, int) and not record.is_file():
             return Part(self._read, which, [""] * (which + 1))
-        return Part(
-            self._read, which, names_of(Scene.parse(json.loads(record.read_text())["scene"]))
-        )
+        return Part(self._read, which, names_of(Scene.parse(json.loads(record.read_text())["scene"])))
 
     def _read(self, name: str) -> Array:
         with h5py.File(self._path, "r", locking=False) as file:

@@ -4,7 +4,7 @@
 
 namespace lapilli {
 
-/// Letters, digits and points kept, everything else one underscore: "force of wall 'a' along x" becomes
+/// Letters and digits kept, everything else one underscore: "force of wall 'a' along x" becomes
 /// "force_of_wall_a_along_x".
 std::string snake_case(const std::string& words);
 

@@ -114,7 +114,9 @@ def test_a_flux_wall_gives_its_flux_times_the_area_it_shares(seed: int):
         heat="flux",
         flux=flux,
     )
-    simulation = lp.Simulation(block(lp.Box(lower=tuple(lower), upper=tuple(upper)), cell, [wall]))
+    simulation = lp.Simulation(
+        block(lp.Box(lower=tuple(lower), upper=tuple(upper)), cell, [wall])
+    )
     simulation.run_until(0.05)
     shared = min(ends[1], upper[1]) - max(ends[0], lower[1])
     ledger = simulation.ledger()[0]
