@@ -27,8 +27,7 @@ Value in_frame(const Value& value, const Motion& motion, int dimension) {
 }
 
 template <int Dim>
-HeatProblem<Dim> problem_in_frame(HeatProblem<Dim> problem) {
-  const Motion motion = *problem.frame;
+HeatProblem<Dim> problem_in_frame(HeatProblem<Dim> problem, const Motion& motion) {
   for (HeatBoundary& law : problem.settings.boundaries) {
     if (auto* flux = std::get_if<PrescribedFlux>(&law)) {
       flux->value = in_frame(flux->value, motion, Dim);
@@ -70,7 +69,7 @@ template <int Dim>
 HeatInBodyFrame<Dim>::HeatInBodyFrame(Points& points, HeatProblem<Dim> problem)
     : points_(points),
       motion_(*problem.frame),
-      at_rest_(make_heat<Dim>(points, problem_in_frame(std::move(problem)))),
+      at_rest_(make_heat<Dim>(points, problem_in_frame(std::move(problem), motion_))),
       start_(std::make_unique<PointArray>(points, Dim)) {
   std::copy(points.position().begin(), points.position().end(), start_->data());
 }
