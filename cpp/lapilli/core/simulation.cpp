@@ -11,6 +11,20 @@ namespace {
 
 constexpr Index balance_every = 128;  // steps
 
+/// One policy for every physics: nobody is shown a value that is not finite.
+void require_finite(const std::vector<Field>& fields, const Points& points, double time) {
+  for (const Field& field : fields) {
+    const auto bad = std::find_if(field.values.begin(), field.values.end(),
+                                  [](double value) { return !std::isfinite(value); });
+    if (bad != field.values.end()) {
+      const auto row = static_cast<std::size_t>((bad - field.values.begin()) / field.components);
+      throw RunError(message("time ", time, " s: ", field.name, " of point ", points.id()[row],
+                             " is not finite; a condition gave such a value, or the step is too "
+                             "large"));
+    }
+  }
+}
+
 }  // namespace
 
 Simulation::Simulation(std::unique_ptr<Points> points,
@@ -106,6 +120,7 @@ std::vector<Field> Simulation::fields() {
       all.push_back(std::move(field));
     }
   }
+  require_finite(all, *points_, time_);
   return all;
 }
 
