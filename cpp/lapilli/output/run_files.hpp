@@ -5,14 +5,17 @@
 #include <string>
 
 #include "lapilli/core/simulation.hpp"
+#include "lapilli/output/checkpoint.hpp"
 #include "lapilli/output/frame_schedule.hpp"
+#include "lapilli/output/run_lock.hpp"
 #include "lapilli/output/run_options.hpp"
 #include "lapilli/output/run_record.hpp"
 #include "lapilli/output/vtkhdf_writer.hpp"
 
 namespace lapilli {
 
-/// The files of one run: frames, checkpoint, record. Without an output path it writes nothing.
+/// The files of one run: frames, checkpoint, record, and the lock that keeps other runs off them
+/// while it lives. Without an output path it writes nothing.
 class RunFiles {
  public:
   /// Options and schedule must outlive it.
@@ -31,6 +34,8 @@ class RunFiles {
 
   bool is_writing() const { return !options_.output.empty(); }
   Index frames() const { return writer_ ? writer_->frames() : 0; }
+  /// What the user should know.
+  const std::vector<std::string>& notes() const { return record_.notes; }
   /// Where the last frame is, as the end of a message; empty when there is none.
   std::string last_frame() const;
 
@@ -38,6 +43,9 @@ class RunFiles {
   bool has_frame_of_now() const {
     return writer_->frames() > 0 && writer_->times().back() == simulation_.time();
   }
+  void take_over();
+  void find_index();
+  Checkpoint newest_checkpoint();
   void write_frame(bool keep);
   void keep_record(const RunStatistics& statistics);
   void write_checkpoint(const RunStatistics& statistics);
@@ -45,6 +53,7 @@ class RunFiles {
   Simulation& simulation_;
   const RunOptions& options_;
   const FrameSchedule& schedule_;
+  std::optional<RunLock> lock_;
   RunRecord record_;
   std::optional<VtkhdfWriter> writer_;
   Index kept_frames_ = 0;  // those that a resumed run does not write again

@@ -104,8 +104,8 @@ RunSummary run(Simulation& simulation, const RunOptions& options) {
   }
   try {
     const RunStatus status = step_to_end(simulation, options, schedule, files, measure.now());
-    files.write_record(status == RunStatus::finished ? "finished" : "interrupted", measure.now());
-    return {status, simulation.time(), files.frames(), measure.now()};
+    files.write_record(status == RunStatus::finished ? "finished" : "stopped", measure.now());
+    return {status, simulation.time(), files.frames(), measure.now(), files.notes()};
   } catch (const StepRefused& error) {
     files.stop(measure.now());
     const std::string reason = error.what() + files.last_frame();

@@ -1,16 +1,12 @@
 #include <iomanip>
 
+#include "lapilli/core/memory.hpp"
 #include "lapilli/scene/check.hpp"
 #include "lapilli/scene/emit.hpp"
 #include "lapilli/scene/tree_writer.hpp"
 
 namespace lapilli {
 namespace {
-
-std::string readable_memory(double bytes) {
-  const bool large = bytes > 1e9;
-  return message(std::setprecision(3), bytes / (large ? 1e9 : 1e6), large ? " GB" : " MB");
-}
 
 std::string readable_time(double seconds) {
   return seconds < 120.0 ? message(std::setprecision(2), seconds, " s")
@@ -49,7 +45,11 @@ std::string text_of(const CheckReport& report) {
   text += message("leaves out    ", listed(report.not_modelled), "\n");
   text += message("step          ", report.step, " s (", report.step_reason, "), limit ",
                   report.hard_limit, " s, ", report.steps, " steps\n");
-  text += message("memory        about ", readable_memory(report.memory), "\n");
+  text += message("memory        about ", readable_bytes(report.memory),
+                  report.output > 0.0
+                      ? message(", and ", readable_bytes(report.output), " of frames on disk")
+                      : "",
+                  "\n");
   text += message("time          about ", readable_time(report.seconds_to_run), ", and ",
                   readable_time(report.seconds_to_build), " to build\n");
   for (const std::string& note : report.notes) {
@@ -83,6 +83,7 @@ std::string json_of(const CheckReport& report) {
                                 {"step_reason", {}, {report.step_reason, {}}},
                                 {"steps", {}, {report.steps, {}}},
                                 {"memory", {}, {report.memory, {}}},
+                                {"output", {}, {report.output, {}}},
                                 {"seconds_to_build", {}, {report.seconds_to_build, {}}},
                                 {"seconds_to_run", {}, {report.seconds_to_run, {}}},
                                 {"notes", {}, list_of(report.notes)}},

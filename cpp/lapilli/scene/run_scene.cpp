@@ -1,6 +1,7 @@
 #include "lapilli/scene/run_scene.hpp"
 
 #include "lapilli/output/checksum.hpp"
+#include "lapilli/scene/identity.hpp"
 #include "lapilli/scene/scene_file.hpp"
 
 namespace lapilli {
@@ -14,15 +15,6 @@ std::string text_for_record(const Scene& scene) {
   }
 }
 
-std::string fingerprint_of(Scene scene) {
-  scene.title.clear();
-  scene.output = {};
-  if (!scene.time.steps) {
-    scene.time.end = 0.0;
-  }
-  return fingerprint(to_json(scene));
-}
-
 }  // namespace
 
 RunOptions run_options(const Scene& scene) {
@@ -34,7 +26,10 @@ RunOptions run_options(const Scene& scene) {
   options.checkpoint_interval_seconds = scene.output.checkpoint_every.value_or(0.0);
   options.scene_text = text_for_record(scene);
   options.settings = to_json(scene);
-  options.fingerprint = fingerprint_of(scene);
+  SceneIdentity identity = identity_of(scene);
+  options.fingerprint = fingerprint(identity.lines);
+  options.identity = std::move(identity.lines);
+  options.not_compared = std::move(identity.not_compared);
   return options;
 }
 
