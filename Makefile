@@ -17,7 +17,7 @@ export LAPILLI_BUILD := $(CURDIR)/$(BUILD)
 INSTALL := pip install --quiet --no-build-isolation --config-settings=wheel.cmake=false \
   --config-settings=editable.mode=inplace --editable
 
-.PHONY: help demo test verify bench extremes docs lint tidy wheel stubs build clean
+.PHONY: help program demo test verify bench extremes docs lint tidy wheel stubs build clean
 
 help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -29,7 +29,7 @@ build/.packages: tools/system_packages.sh
 .venv/.ready: pyproject.toml build/.packages
 	@test -x $(BIN)/python || $(PYTHON) -m venv .venv
 	@echo "Installing Python packages into .venv"
-	@pip install --quiet "scikit-build-core>=0.10" "pybind11>=3.0" "cmake>=3.25" ninja
+	@pip install --quiet "scikit-build-core>=0.10" "pybind11>=3.0,<3.2" "cmake>=3.25" ninja
 	@$(INSTALL) '.[plot,test]'
 	@touch $@
 
@@ -40,10 +40,13 @@ $(BUILD)/build.ninja: .venv/.ready
 	  || { cat build/configure.log; exit 1; }
 	@touch $@
 
-build: $(BUILD)/build.ninja  ## build library, executable, Python module and tests
+program: $(BUILD)/build.ninja  ## build library, executable and Python module
+	@cmake --build $(BUILD) --parallel $(JOBS) --target lapilli-run _core
+
+build: $(BUILD)/build.ninja  ## build everything: the program and its tests
 	@cmake --build $(BUILD) --parallel $(JOBS)
 
-demo: build  ## heat the ring: progress, frames, a picture, lapilli beside the reference
+demo: program  ## heat the ring: progress, frames, a picture, lapilli beside the reference
 	@mkdir -p demo
 	@lapilli run examples/vhfm/ring.toml --output demo/ring.vtkhdf
 	@lapilli plot demo/ring.vtkhdf --save demo/ring.png
@@ -68,7 +71,7 @@ bench: build  ## throughput, and error against cost: the tables of the README
 	@cmake -S . -B $(BUILD) -DLAPILLI_BENCH=ON >/dev/null && cmake --build $(BUILD) --parallel $(JOBS)
 	@python bench/run.py
 
-extremes: build  ## the map of stable, inaccurate and refused steps
+extremes: program  ## the map of stable, inaccurate and refused steps
 	@lapilli extremes --plot demo --json demo/extremes.json
 
 lint: build  ## formatting, style and types
@@ -82,10 +85,10 @@ tidy: build  ## clang-tidy over all C++ sources (half an hour)
 	@tools/system_packages.sh clang-tidy
 	@JOBS=$(JOBS) tools/tidy.sh
 
-stubs: build  ## write python/lapilli/_core.pyi anew
+stubs: program  ## write python/lapilli/_core.pyi anew
 	@python tools/write_stubs.py
 
-docs: build  ## the manual, in site/
+docs: program  ## the manual, in site/
 	@$(INSTALL) '.[docs]'
 	@mkdocs build --strict
 

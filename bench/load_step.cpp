@@ -6,8 +6,8 @@
 #include <ctime>
 #include <vector>
 
+#include "lapilli/geometry/cell_fill.hpp"
 #include "lapilli/geometry/fill.hpp"
-#include "lapilli/mpm/quasi_static/cut_fill.hpp"
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
 
 using namespace lapilli;
@@ -33,7 +33,7 @@ void measure(int cells) {
   const Grid<2> grid(Vec<2>(0.0, 0.0), Vec<2>(1.0, 1.0), h);
   const Shape block = Box{{low, low}, {high, high}};
   Points points(2);
-  const FilledPoints filled = fill_exactly(block, Lattice{Vec3::Zero(), h, 2}, 2);
+  const FilledPoints filled = fill_cells(block, Lattice{Vec3::Zero(), h, 2}, {}, 2);
   points.append(filled.position, filled.volume, 0);
   QuasiStaticSettings settings;
   const auto wall = [](const char* name, double x, double y, double out_x, double out_y) {
@@ -57,7 +57,7 @@ void measure(int cells) {
   const Boundary<2> boundary(settings);
   Reference<2> reference(points, false);
   reference.start(points, nullptr, 1.0);
-  reference.locate(grid, points, materials, boundary);
+  reference.locate(grid, points, materials, std::vector<char>{0}, boundary);
   Loads<2> loads;
   for (const Facet<2>& facet : reference.facets) {
     const std::vector<Vec<2>> still(facet.points.size(), Vec<2>::Zero());
@@ -70,8 +70,8 @@ void measure(int cells) {
   NodeSystem<2> system;
   DirectSolver solver;
   watch.lap();
-  Equilibrium<2> equilibrium(grid, points, reference.weights, *reference.state, materials, stress,
-                             loads, system, solver);
+  Equilibrium<2> equilibrium(grid, std::as_const(points).volume(), points.body(), reference.weights,
+                             *reference.state, materials, stress, loads, system, solver);
   const double analysis = watch.lap();
   equilibrium.factorise();
   const double both = watch.lap();

@@ -2,7 +2,7 @@
 # Install the Debian packages that a build needs and that are missing. Arguments: further packages.
 set -euo pipefail
 
-wanted=(g++ libhdf5-dev libtomlplusplus-dev libeigen3-dev libcli11-dev catch2 ccache "$@")
+wanted=(g++ libhdf5-dev libpng-dev libtomlplusplus-dev libeigen3-dev libcli11-dev catch2 ccache "$@")
 python=${PYTHON:-python3}
 command -v "$python" >/dev/null || wanted+=(python3)
 "$python" -c 'import ensurepip' 2>/dev/null || wanted+=(python3-venv)

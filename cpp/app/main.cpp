@@ -16,7 +16,9 @@
 #include "lapilli/scene/check.hpp"
 #include "lapilli/scene/keys.hpp"
 #include "lapilli/scene/run_scene.hpp"
+#include "lapilli/scene/run_text.hpp"
 #include "lapilli/scene/scene_file.hpp"
+#include "lapilli/scene/schema.hpp"
 #include "progress.hpp"
 
 namespace {
@@ -32,6 +34,7 @@ struct Arguments {
   double every = 0.0;
   int threads = 0;
   bool resume = false, check = false, quiet = false, keys = false;
+  bool json = false, schema = false;
 };
 
 volatile std::sig_atomic_t stop_asked = 0;  // by which signal
@@ -93,8 +96,10 @@ void define_arguments(CLI::App& app, Arguments& given) {
       ->check(CLI::Range(1, 4096));
   app.add_flag("--resume", given.resume, "Go on from the checkpoint beside the output");
   app.add_flag("--check", given.check, "Validate the scene and say what it models and costs");
+  app.add_flag("--json", given.json, "With --check: as JSON");
   app.add_flag("--quiet", given.quiet, "Show no progress");
   app.add_flag("--keys", given.keys, "Print every key of a scene file as Markdown");
+  app.add_flag("--schema", given.schema, "Print the JSON Schema of scene files");
   app.set_version_flag("--version", "lapilli " LAPILLI_VERSION);
 }
 
@@ -104,39 +109,16 @@ Scene scene_of(const Arguments& given) {
   for (const std::string& assignment : given.overrides) {
     apply_override(scene, assignment);
   }
-  if (!given.output.empty()) {
-    scene.output.path = given.output;
-  } else if (scene.output.path.empty()) {
-    scene.output.path = std::filesystem::path(given.scene).stem().string() + ".vtkhdf";
-  }
-  if (given.every > 0.0) {
-    scene.output.every = given.every;
-    scene.output.every_steps.reset();
-  }
-  return scene;
-}
-
-void print_summary(const Simulation& simulation, const RunSummary& summary,
-                   const std::string& output) {
-  std::printf("%s at %g s after %lld steps in %s; %lld frames in %s\n",
-              summary.status == RunStatus::finished ? "finished" : "stopped", summary.time,
-              static_cast<long long>(simulation.step_index()),
-              readable_time(summary.statistics.wall_seconds).c_str(),
-              static_cast<long long>(summary.frames), output.c_str());
-  for (const std::string& note : summary.notes) {
-    std::printf("note: %s\n", note.c_str());
-  }
-  for (const Ledger& ledger : simulation.ledgers()) {
-    std::printf("%s: %.6g %s came in, %.6g stored at the end, balance off by %.1e\n",
-                ledger.quantity.c_str(), ledger.taken_in(), ledger.unit.c_str(), ledger.stored,
-                ledger.residual());
-  }
+  const std::string beside = std::filesystem::path(given.scene).stem().string() + ".vtkhdf";
+  const bool named = !given.output.empty() || !scene.output.path.empty();
+  return with_output(std::move(scene), named ? given.output : beside, given.every);
 }
 
 int run_scene(const Arguments& given) {
   const Scene scene = scene_of(given);
   if (given.check) {
-    std::fputs(text_of(check(scene)).c_str(), stdout);
+    const CheckReport report = check(scene);
+    std::fputs((given.json ? json_of(report) : text_of(report)).c_str(), stdout);
     return finished;
   }
   const std::unique_ptr<Simulation> simulation = [&] {
@@ -151,13 +133,13 @@ int run_scene(const Arguments& given) {
   const RunSummary summary = run(*simulation, options);
   line.finish();
   if (!given.quiet) {
-    print_summary(*simulation, summary, scene.output.path);
+    std::fputs(summary_text(*simulation, summary, scene.output.path).c_str(), stdout);
   }
   return summary.status == RunStatus::finished ? finished : stopped_by + stop_asked;
 }
 
 int report(const std::exception& error, ExitCode code) {
-  std::fprintf(stderr, "\nlapilli-run: %s\n", error.what());
+  std::fprintf(stderr, "lapilli-run: %s\n", error.what());
   return code;
 }
 
@@ -177,6 +159,10 @@ int main(int count, char** words) {
   try {
     if (given.keys) {
       std::fputs(keys_as_markdown().c_str(), stdout);
+      return flushed(finished);
+    }
+    if (given.schema) {
+      std::fputs(scene_schema().c_str(), stdout);
       return flushed(finished);
     }
     set_thread_count(given.threads);

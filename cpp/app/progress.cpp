@@ -3,36 +3,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
-#include "lapilli/core/require.hpp"
+#include "lapilli/scene/run_text.hpp"
 
 namespace lapilli {
-namespace {
-
-std::string in_words(const Progress& progress) {
-  std::string text = message("time ", progress.time, " s, step ", progress.step);
-  if (progress.step > 0) {
-    text += message(", size ", progress.step_size, " s");
-  }
-  if (std::isfinite(progress.seconds_left) && progress.fraction < 1.0) {
-    text += ", " + readable_time(progress.seconds_left) + " left";
-  }
-  return text;
-}
-
-}  // namespace
-
-std::string readable_time(double seconds) {
-  if (seconds < 100.0) {
-    return message(std::round(seconds * 10.0) / 10.0, " s");
-  }
-  const auto minutes = static_cast<long>(std::round(seconds / 60.0));
-  return minutes < 100 ? message(minutes, " min")
-                       : message(minutes / 60, " h ", minutes % 60, " min");
-}
-
 ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
 
 void ProgressLine::show(const Progress& progress) {
@@ -46,12 +21,12 @@ void ProgressLine::show(const Progress& progress) {
     const std::string bar = std::string(static_cast<std::size_t>(filled), '=') +
                             std::string(static_cast<std::size_t>(width - filled), ' ');
     std::fprintf(stderr, "\r[%s] %3d %%  %s\033[K", bar.c_str(), percent,
-                 in_words(progress).c_str());
+                 progress_text(progress).c_str());
     std::fflush(stderr);
     drawn_ = true;
   } else if (percent / 10 > tenths_shown_) {
     tenths_shown_ = percent / 10;
-    std::fprintf(stderr, "%3d %%  %s\n", percent, in_words(progress).c_str());
+    std::fprintf(stderr, "%3d %%  %s\n", percent, progress_text(progress).c_str());
   }
 }
 

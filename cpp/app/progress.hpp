@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "lapilli/output/runner.hpp"
 
 namespace lapilli {
@@ -11,6 +9,9 @@ namespace lapilli {
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet);
+  ~ProgressLine() { finish(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const Progress& progress);
   /// End the line that is being redrawn.
@@ -22,8 +23,5 @@ class ProgressLine {
   bool drawn_ = false;
   int tenths_shown_ = -1;
 };
-
-/// "3.2 s", "14 min", "2 h 5 min".
-std::string readable_time(double seconds);
 
 }  // namespace lapilli

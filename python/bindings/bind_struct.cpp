@@ -7,13 +7,22 @@ py::object attribute(const py::handle& of, const std::string& name) {
   return of.attr("__dict__")[py::str(name)];
 }
 
+// As Python writes it, but of lists that fill a screen only the beginning.
+std::string short_text_of(const py::object& value) {
+  constexpr std::size_t most = 500, beginning = 60;
+  const std::string text = py::repr(value);
+  return text.size() <= most || !py::isinstance<py::sequence>(value)
+             ? text
+             : message(text.substr(0, beginning), " ... ", py::len(value), " entries in all]");
+}
+
 std::string text_of(const py::object& of, const std::string& name,
                     const std::vector<std::string>& members, const py::dict& defaults) {
   std::string text;
   for (const std::string& member : members) {
     const py::object value = attribute(of, member);
     if (!defaults.contains(member) || !value.equal(defaults[py::str(member)])) {
-      text += message(text.empty() ? "" : ", ", member, "=", std::string(py::repr(value)));
+      text += message(text.empty() ? "" : ", ", member, "=", short_text_of(value));
     }
   }
   return name + "(" + text + ")";
@@ -27,6 +36,18 @@ bool equal(const py::object& of, const py::object& other, const std::vector<std:
 }
 
 }  // namespace
+
+void SignatureMaker::add(const char* name, const std::string& type,
+                         const py::object& default_value) {
+  const py::object parameter = py::module_::import("inspect").attr("Parameter");
+  const py::object value = default_value ? default_value : parameter.attr("empty");
+  parameters_.append(parameter(name, parameter.attr("KEYWORD_ONLY"), py::arg("default") = value,
+                               py::arg("annotation") = type));
+}
+
+py::object SignatureMaker::signature() const {
+  return py::module_::import("inspect").attr("Signature")(parameters_);
+}
 
 std::string plain_class_name(const std::type_info& type) {
   std::string name = type.name();

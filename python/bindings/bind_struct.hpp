@@ -27,6 +27,17 @@ struct Record : FamilyOf<T>::type {};
 void bind_object_protocol(const py::object& bound, const std::string& name,
                           const std::vector<std::string>& members, const py::dict& defaults);
 
+/// Collects what inspect.signature shows of a class: keyword-only parameters.
+class SignatureMaker {
+ public:
+  /// `default_value` is null where the argument is required.
+  void add(const char* name, const std::string& type, const py::object& default_value);
+  py::object signature() const;
+
+ private:
+  py::list parameters_;
+};
+
 /// Calls `visit(key, member)` for every member of a default T.
 template <class T, class Visitor>
 void each_member(Visitor&& visit) {
@@ -76,7 +87,10 @@ template <Described T>
 struct Convert<T> {
   static constexpr bool keeps_object = true;
   static std::string type_name() { return class_name<T>(); }
-  static bool accepts(py::handle given) { return py::isinstance<Record<T>>(given); }
+  /// A subclass is refused: what it adds would be lost on the way to C++.
+  static bool accepts(py::handle given) {
+    return is_bound<T>() && py::type::handle_of(given).is(py::type::of<Record<T>>());
+  }
   static void load(const Where& where, py::handle given, T& member) {
     if (!accepts(given)) {
       where.refuse("a " + type_name(), given);
@@ -183,6 +197,7 @@ auto bind_struct(py::module_& module, const char* name, const std::string& summa
   std::string signature = "__init__(" + self + ", *";
   std::string text = summary + "\n\nParameters\n----------\n";
   py::dict defaults;
+  SignatureMaker made;
 
   each_member<T>([&]<class Member>(const Key& key, Member& value) {
     const std::string type =
@@ -192,6 +207,7 @@ auto bind_struct(py::module_& module, const char* name, const std::string& summa
     if (!key.is_required) {
       defaults[key.name] = Convert<Member>::show(key, value);
     }
+    made.add(key.name, type, key.is_required ? py::object() : defaults[key.name]);
     const std::string get_text = message(key.name, "(", self, ") -> ", type);
     const std::string set_text = message(key.name, "(", self, ", value: ", type, ") -> None");
     bound.def_property(
@@ -207,6 +223,7 @@ auto bind_struct(py::module_& module, const char* name, const std::string& summa
         message(key.meaning, *key.of_unit == '\0' ? "" : ", ", key.of_unit).c_str());
   });
   bound.doc() = text;
+  bound.attr("__signature__") = made.signature();
   bound.def(
       "__init__",
       [owner](py::detail::value_and_holder& holder, const py::args& positional,

@@ -23,6 +23,11 @@ namespace py = pybind11;
 /// Any array of numbers, made contiguous.
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
+/// The path of a str or os.PathLike. Throws TypeError for anything else.
+inline std::string file_name(const py::handle& path) {
+  return std::string(py::str(py::module_::import("os").attr("fspath")(path)));
+}
+
 /// Where a value is being read, for messages: the key and the object that holds it.
 struct Where {
   Key key;

@@ -122,9 +122,8 @@ void check_table(const Where& where, const Table& table) {
   for (const double time : table.times) {
     check_range(Key("times").unit("s"), time, where.path());
   }
-  require(std::adjacent_find(table.times.begin(), table.times.end(), std::greater_equal<>()) ==
-              table.times.end(),
-          say("needs times that increase"));
+  require(table.is_ordered(),
+          say("needs times that increase; two equal times, not three, are a jump"));
   for (const double value : table.values) {
     check_range(where.key, value, where.owner);
   }

@@ -10,8 +10,10 @@ void bind_core(py::module_& module) {
   py::register_exception<RunError>(module, "RunError", PyExc_RuntimeError).doc() =
       "A run that went wrong; the message names step, time, point, field and likely cause.";
 
-  py::class_<Table>(module, "Table",
-                    "A number tabulated in time: linear between the times, constant outside them.")
+  py::class_<Table>(
+      module, "Table",
+      "A number tabulated in time: linear between the times, constant outside them; two equal "
+      "times are a jump.")
       .def(py::init([](std::vector<double> times, std::vector<double> values) {
              Table table{std::move(times), std::move(values)};
              check_table(Where{Key("values"), "Table"}, table);
@@ -24,7 +26,7 @@ void bind_core(py::module_& module) {
           "times",
           py::cpp_function([](const Table& table) { return py::tuple(py::cast(table.times)); },
                            "times(self: lapilli._core.Table) -> tuple[float, ...]"),
-          "times in s, increasing")
+          "times in s, increasing but for jumps")
       .def_property_readonly(
           "values",
           py::cpp_function([](const Table& table) { return py::tuple(py::cast(table.values)); },
@@ -32,7 +34,15 @@ void bind_core(py::module_& module) {
           "the values at these times")
       .def(
           "at", [](const Table& table, double time) { return table.at(time); }, py::arg("time"),
-          "at(self: lapilli._core.Table, time: float) -> float\n\nThe value at one time.")
+          "at(self: lapilli._core.Table, time: float) -> float\n\nThe value at one time; at a jump "
+          "the "
+          "one after it.")
+      .def(
+          "mean",
+          [](const Table& table, double begin, double end) { return table.mean(begin, end); },
+          py::arg("begin"), py::arg("end"),
+          "mean(self: lapilli._core.Table, begin: float, end: float) -> float\n\nThe mean over a "
+          "span of time, exact.")
       .def(
           "__eq__",
           [](const Table& table, const py::object& other) {

@@ -82,6 +82,11 @@ void bind_geometry(py::module_& module) {
   bind_struct<Disk>(module, "Disk", "Disk in the x-y plane; endless along z.");
   bind_struct<Annulus>(module, "Annulus",
                        "Ring between two circles in the x-y plane; endless along z.");
+  bind_struct<Ellipse>(module, "Ellipse",
+                       "Ellipse in the x-y plane with its axes along x and y; endless along z.");
+  bind_struct<Ellipsoid>(module, "Ellipsoid", "Ellipsoid with its axes along x, y and z.");
+  bind_struct<HeightField>(module, "HeightField",
+                           "Ground below heights on a regular grid, down to a flat bottom.");
   bind_struct<Sphere>(module, "Sphere", "Ball.");
   bind_struct<Cylinder>(module, "Cylinder", "Cylinder with flat ends, from start to end.");
   bind_struct<Polygon>(module, "Polygon",

@@ -25,6 +25,8 @@ void bind_mpm(py::module_& module) {
   bind_struct<FrictionalWall>(module, "FrictionalWall",
                               "A face of the grid that the material parts from freely and slides "
                               "along with Coulomb friction.");
+  bind_struct<Obstacle>(module, "Obstacle",
+                        "A rigid obstacle of any shape, at rest or with a prescribed motion.");
   bind_struct<Pressure>(module, "Pressure", "A pressure on a free surface.");
   bind_struct<Traction>(module, "Traction", "A force per area of a free surface.");
   bind_struct<MomentumSettings>(module, "Momentum",

@@ -6,9 +6,13 @@
 #include "lapilli/output/merge.hpp"
 #include "lapilli/output/output_error.hpp"
 #include "lapilli/output/verify.hpp"
+#include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/check.hpp"
 #include "lapilli/scene/keys.hpp"
+#include "lapilli/scene/renamed.hpp"
 #include "lapilli/scene/run_scene.hpp"
+#include "lapilli/scene/run_text.hpp"
+#include "lapilli/scene/schema.hpp"
 #include "simulation.hpp"
 
 namespace lapilli::python {
@@ -100,8 +104,32 @@ void bind_progress(py::module_& module) {
   property(bound, owner, "points", "int", "number of points", [](P p) { return p.points; });
   property(bound, owner, "seconds_elapsed", "float", "of wall time",
            [](P p) { return p.seconds_elapsed; });
+  property(bound, owner, "steps_taken", "int", "since the start or the resume",
+           [](P p) { return p.steps_taken; });
   property(bound, owner, "seconds_left", "float", "of wall time, estimated; NaN while unknown",
            [](P p) { return p.seconds_left; });
+}
+
+py::dict history_of(const RunSummary& summary) {
+  const History& history = summary.history;
+  py::dict all;
+  for (std::size_t column = 0; column <= history.columns().size(); ++column) {
+    py::array_t<double> numbers(static_cast<py::ssize_t>(history.rows()));
+    for (Index row = 0; row < history.rows(); ++row) {
+      numbers.mutable_at(row) = history.at(row, column);
+    }
+    all[py::str(column == 0 ? "time" : history.columns()[column - 1].name)] = numbers;
+  }
+  return all;
+}
+
+py::dict columns_of(const RunSummary& summary) {
+  py::dict all;
+  all["time"] = py::make_tuple("s", "simulated time");
+  for (const Scalar& column : summary.history.columns()) {
+    all[py::str(column.name)] = py::make_tuple(column.unit, column.meaning);
+  }
+  return all;
 }
 
 void bind_summary(py::module_& module) {
@@ -125,9 +153,19 @@ void bind_summary(py::module_& module) {
            [](S s) { return s.statistics.wall_seconds; });
   property(bound, owner, "cpu_seconds", "float", "of processor time, all threads together",
            [](S s) { return s.statistics.cpu_seconds; });
-  property(bound, owner, "notes", "list[str]",
-           "what the user should know: which checkpoint was taken and why",
+  property(bound, owner, "notes", "list[str]", "what the user should know",
            [](S s) { return s.notes; });
+  property(bound, owner, "history", "dict[str, numpy.typing.NDArray[numpy.float64]]",
+           "what was recorded in time: the times, s, and every scalar by its name", &history_of);
+  property(bound, owner, "history_columns", "dict[str, tuple[str, str]]",
+           "unit and meaning of every scalar of the history", &columns_of);
+  bound.def(
+      "__repr__",
+      [](S s) {
+        return message("<", s.status == RunStatus::finished ? "finished" : "stopped", " at ",
+                       s.time, " s after ", s.statistics.steps, " steps, ", s.frames, " frames>");
+      },
+      "__repr__(self: lapilli._core.RunSummary) -> str");
 }
 
 }  // namespace
@@ -154,18 +192,42 @@ void bind_run(py::module_& module) {
       "check_json", [](const py::object& scene) { return json_of(checked_scene(scene)); },
       py::arg("scene"),
       "check_json(scene: Scene) -> str\n\nWhat a scene models and costs, as JSON.");
-  module.def("keys_as_markdown", &keys_as_markdown,
-             "keys_as_markdown() -> str\n\nEvery key of a scene file, as Markdown tables.");
+  module.def("keys_as_markdown", &keys_as_markdown, py::arg("section") = "",
+             "keys_as_markdown(section: str = '') -> str\n\nThe keys of a scene file, or of one "
+             "section, as Markdown tables.");
+  module.def("scene_schema", &scene_schema,
+             "scene_schema() -> str\n\nThe JSON Schema of scene files.");
+  module.def("renamed_key", &renamed, py::arg("path"),
+             "renamed_key(path: str) -> str\n\nThe present name of a key that was renamed; empty "
+             "for others.");
+  module.def("readable_time", &readable_time, py::arg("seconds"),
+             "readable_time(seconds: float) -> str\n\n3.2 s, 14 min, 2 h 5 min.");
+  module.def("progress_text", &progress_text, py::arg("progress"),
+             "progress_text(progress: Progress) -> str\n\nTime, step, speed and time left.");
+  module.def(
+      "summary_text",
+      [](const py::object& simulation, const RunSummary& summary, const std::string& output) {
+        return summary_text(simulation.cast<PythonSimulation&>().get(), summary, output);
+      },
+      py::arg("simulation"), py::arg("summary"), py::arg("output"),
+      "summary_text(simulation: Simulation, summary: RunSummary, output: str) -> str\n\nHow a run "
+      "ended, its balances and what its user should know.");
+  module.def(
+      "unused_settings", [](const py::object& scene) { return unused_settings(scene_of(scene)); },
+      py::arg("scene"),
+      "unused_settings(scene: Scene) -> list[str]\n\nSettings that nothing reads in this scene, "
+      "with the reason.");
   module.def(
       "merge",
-      [](const std::string& from, const std::string& to) {
+      [](const py::object& from, const py::object& to) {
+        const std::string source = file_name(from), target = file_name(to);
         const py::gil_scoped_release release;
         const Interruption interruption(raise_signals);
-        merge(from, to);
+        merge(source, target);
       },
       py::arg("from_path"), py::arg("to_path"),
-      "merge(from_path: str, to_path: str) -> None\n\nGather a series of frames into one "
-      "self-contained file.");
+      "merge(from_path: str | os.PathLike[str], to_path: str | os.PathLike[str]) -> "
+      "None\n\nGather a series of frames into one self-contained file.");
   module.def(
       "verify",
       [](const std::string& frames) {

@@ -1,3 +1,5 @@
+#include <span>
+
 #include "bindings.hpp"
 #include "convert_scene.hpp"
 #include "lapilli/scene/tree_reader.hpp"
@@ -36,15 +38,75 @@ void bind_places(py::module_& module) {
           }));
 }
 
+/// Stands for "no value given"; None is a value.
+py::object unset() { return py::module_::import("builtins").attr("Ellipsis"); }
+
+std::vector<py::object> steps_of(const std::string& path) {
+  std::vector<py::object> steps;
+  for (const std::string& name : path_names(path)) {
+    const bool is_index = name.find_first_not_of("0123456789") == std::string::npos;
+    steps.push_back(is_index && !name.empty() ? py::object(py::int_(std::stoll(name)))
+                                              : py::object(py::str(name)));
+  }
+  return steps;
+}
+
+/// Puts a value where the steps lead and returns the changed whole: lists inside are new ones.
+py::object with_part(const py::object& whole, std::span<const py::object> steps,
+                     const py::object& value, const std::string& path) {
+  if (steps.empty()) {
+    return value;
+  }
+  const py::object& step = steps.front();
+  const bool is_index = py::isinstance<py::int_>(step);
+  if (py::isinstance<py::list>(whole) || py::isinstance<py::tuple>(whole)) {
+    py::list list(whole);
+    // One element may stand for a list of one.
+    const auto index = is_index ? step.cast<std::size_t>() : std::size_t{0};
+    if (index >= list.size() || (!is_index && list.size() != 1)) {
+      throw py::value_error(message(path, ": there is no entry ", std::string(py::str(step)),
+                                    ", there are ", list.size(), " counted from 0"));
+    }
+    list[index] = with_part(list[index], is_index ? steps.subspan(1) : steps, value, path);
+    return list;
+  }
+  if (is_index) {
+    if (step.cast<std::size_t>() != 0) {
+      throw py::value_error(message(path, ": there is one entry only"));
+    }
+    return with_part(whole, steps.subspan(1), value, path);
+  }
+  if (whole.is_none()) {
+    throw py::value_error(message(path, ": what holds '", std::string(py::str(step)),
+                                  "' is absent; set the whole of it first"));
+  }
+  const py::object part = steps.size() == 1 ? py::object(py::none()) : whole.attr(step);
+  const py::object copy = py::module_::import("copy").attr("copy")(whole);
+  py::setattr(copy, step, with_part(part, steps.subspan(1), value, path));
+  return copy;
+}
+
+py::object with_member(const py::object& scene, const std::string& path, const py::object& value) {
+  if (!value.is(unset())) {
+    const std::vector<py::object> steps = steps_of(path);
+    return with_part(scene, steps, value, path);
+  }
+  Scene changed = scene_of(scene);
+  apply_override(changed, path);
+  return shown(changed);
+}
+
 void bind_files(py::class_<Record<Scene>>& bound) {
   const std::string self = "(self: lapilli._core.Scene";
   bound
       .def_static(
           "load",
-          [](const std::string& path) {
-            return shown(without_gil([&] { return load_scene(path); }));
+          [](const py::object& path) {
+            const std::string name = file_name(path);
+            return shown(without_gil([&] { return load_scene(name); }));
           },
-          py::arg("path"), "load(path: str) -> Scene\n\nThe scene of a TOML file.")
+          py::arg("path"),
+          "load(path: str | os.PathLike[str]) -> Scene\n\nThe scene of a TOML file.")
       .def_static(
           "parse",
           [](const std::string& text, const std::string& name) {
@@ -55,12 +117,13 @@ void bind_files(py::class_<Record<Scene>>& bound) {
           "call it by `name`.")
       .def(
           "save",
-          [](const py::object& scene, const std::string& path) {
-            save_scene(scene_of(scene), path);
+          [](const py::object& scene, const py::object& path) {
+            save_scene(scene_of(scene), file_name(path));
           },
           py::arg("path"),
           ("save" + self +
-           ", path: str) -> None\n\nWrite the scene as TOML. Functions and arrays, which no file "
+           ", path: str | os.PathLike[str]) -> None\n\nWrite the scene as TOML. Functions and "
+           "arrays, which no file "
            "holds, are a ValueError.")
               .c_str())
       .def(
@@ -79,18 +142,12 @@ void bind_files(py::class_<Record<Scene>>& bound) {
            ") -> str\n\nEvery setting with defaults filled in; functions and arrays are named "
            "only.")
               .c_str())
-      .def(
-          "set",
-          [](const py::object& scene, const std::string& assignment) {
-            Scene changed = scene_of(scene);
-            apply_override(changed, assignment);
-            return shown(changed);
-          },
-          py::arg("assignment"),
-          ("set" + self +
-           ", assignment: str) -> Scene\n\nA copy with one member changed by its path: "
-           "scene.set('grid.cell=0.05').")
-              .c_str());
+      .def("set", &with_member, py::arg("path"), py::arg("value") = unset(),
+           ("set" + self +
+            ", path: str, value: typing.Any = ...) -> Scene\n\nA copy with one member changed by "
+            "its path: scene.set('grid.cell', 0.05), or as on the command line, "
+            "scene.set('grid.cell=0.05').")
+               .c_str());
 }
 
 }  // namespace
@@ -140,7 +197,8 @@ void bind_scene(py::module_& module) {
   bind_struct<GridSettings>(module, "Grid",
                             "The background grid; its corners give the dimension of the scene.");
   bind_struct<TimeSettings>(module, "Time", "When the run ends and how its steps are chosen.");
-  bind_struct<Monitor>(module, "Monitor", "A material point whose history is asked for.");
+  bind_struct<ProbeSettings>(module, "Probe",
+                             "A field recorded in time at one position, or at one material point.");
   bind_struct<OutputSettings>(module, "Output", "What a run leaves on disk.");
   auto scene =
       bind_struct<Scene>(module, "Scene",

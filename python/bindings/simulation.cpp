@@ -2,11 +2,14 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 #include "bindings.hpp"
 #include "convert_scene.hpp"
 #include "lapilli/core/diagnostics.hpp"
 #include "lapilli/core/interruption.hpp"
 #include "lapilli/mpm/surface_view.hpp"
+#include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
 
 namespace lapilli::python {
@@ -77,8 +80,16 @@ std::string unit_of(PythonSimulation& simulation, const std::string& name) {
 
 py::dict diagnostics(PythonSimulation& simulation) {
   py::dict all;
-  for (const auto& [name, value] : diagnostics_of(simulation.get())) {
-    all[py::str(name)] = value;
+  for (const Scalar& scalar : diagnostics_of(simulation.get())) {
+    all[py::str(scalar.name)] = scalar.value;
+  }
+  return all;
+}
+
+py::dict volumes(PythonSimulation& simulation) {
+  py::dict all;
+  for (const BodyVolume& body : body_volumes(simulation.scene(), simulation.get().points())) {
+    all[py::str(body.name)] = py::make_tuple(body.volume, body.of_shape);
   }
   return all;
 }
@@ -151,7 +162,26 @@ void bind_reports(py::module_& module) {
           "residual",
           py::cpp_function([](const StepReport& report) { return report.residual; },
                            "residual(self: lapilli._core.StepReport) -> float"),
-          "relative residual of implicit solves");
+          "relative residual of implicit solves")
+      .def(
+          "__repr__",
+          [](const StepReport& report) {
+            return message("<step of ", report.accepted, " s, ", report.iterations,
+                           " iterations, residual ", report.residual, ">");
+          },
+          "__repr__(self: lapilli._core.StepReport) -> str");
+}
+
+bool same_ledger(const Ledger& a, const py::object& other) {
+  if (!py::isinstance<Ledger>(other)) {
+    return false;
+  }
+  const auto& b = other.cast<const Ledger&>();
+  const auto same = [](const Ledger::Entry& left, const Ledger::Entry& right) {
+    return left.name == right.name && left.in == right.in;
+  };
+  return a.quantity == b.quantity && a.unit == b.unit && a.initial == b.initial &&
+         a.stored == b.stored && std::ranges::equal(a.entries, b.entries, same);
 }
 
 void bind_ledger(py::module_& module) {
@@ -184,7 +214,7 @@ void bind_ledger(py::module_& module) {
       "sum of the entries' sizes");
   number(
       "residual", [](const Ledger& ledger) { return ledger.residual(); },
-      "(stored - initial - taken in) over the larger of turnover and capacity x span");
+      "(stored - initial - taken in) over the largest turnover or span of the store so far");
   bound.def_property_readonly("entries",
                               py::cpp_function(
                                   [](const Ledger& ledger) {
@@ -196,6 +226,7 @@ void bind_ledger(py::module_& module) {
                                   },
                                   ("entries" + self + " -> dict[str, float]").c_str()),
                               "what came in by each way since the start; negative: went out");
+  bound.def("__eq__", &same_ledger, "__eq__(self: lapilli._core.Ledger, other: object) -> bool");
   bound.def(
       "__repr__",
       [](const Ledger& ledger) {
@@ -219,10 +250,11 @@ void bind_simulation(py::module_& module) {
   bound
       .def(py::init([](const py::object& given) {
              FunctionCollector collector;
-             const Scene scene = scene_of(given);
+             Scene scene = scene_of(given);
              const py::gil_scoped_release release;
              const Interruption interruption(raise_signals);
-             return std::make_unique<PythonSimulation>(build(scene),
+             auto built = build(scene);
+             return std::make_unique<PythonSimulation>(std::move(built), std::move(scene),
                                                        std::move(collector.functions));
            }),
            py::arg("scene"), ("__init__" + self + ", scene: Scene) -> None").c_str())
@@ -261,6 +293,11 @@ void bind_simulation(py::module_& module) {
               .c_str())
       .def("diagnostics", &diagnostics,
            ("diagnostics" + self + ") -> dict[str, float]\n\nNumbers worth watching, by physics.")
+               .c_str())
+      .def("volumes", &volumes,
+           ("volumes" + self +
+            ") -> dict[str, tuple[float, float | None]]\n\nOf each body the volume of its points "
+            "now and that of its shape, None where it has none; area, length in fewer dimensions.")
                .c_str())
       .def("surface", &surface,
            ("surface" + self +

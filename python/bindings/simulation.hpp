@@ -9,6 +9,7 @@
 
 #include "initialized.hpp"
 #include "lapilli/core/simulation.hpp"
+#include "lapilli/scene/scene.hpp"
 
 namespace lapilli::python {
 
@@ -33,8 +34,17 @@ using HeldFunctions = std::vector<std::weak_ptr<py::object>>;
 /// A simulation held by Python. One thread at a time may step it or look at it.
 class PythonSimulation {
  public:
-  PythonSimulation(std::unique_ptr<Simulation> simulation, HeldFunctions functions)
-      : simulation_(std::move(simulation)), functions_(std::move(functions)) {}
+  PythonSimulation(std::unique_ptr<Simulation> simulation, Scene scene, HeldFunctions functions)
+      : simulation_(std::move(simulation)),
+        scene_(std::move(scene)),
+        functions_(std::move(functions)) {
+    for (Body& body : scene_.bodies) {
+      body.points.reset();  // the simulation holds them
+    }
+  }
+
+  /// What it was built from, without points given as arrays.
+  const Scene& scene() const { return scene_; }
 
   /// Throws RuntimeError while another thread steps it.
   Simulation& get();
@@ -61,6 +71,7 @@ class PythonSimulation {
 
  private:
   std::unique_ptr<Simulation> simulation_;
+  Scene scene_;
   HeldFunctions functions_;
   std::thread::id stepped_by_;  // read and written with the GIL held
 };

@@ -6,7 +6,7 @@ import collections.abc
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'FluidWall', 'Flux', 'FrictionalWall', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'MohrCoulomb', 'Momentum', 'Monitor', 'Newtonian', 'NoSlipWall', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'Pressure', 'Progress', 'QuasiStatic', 'Radiation', 'RollerWall', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
+__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrictionalWall', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeightField', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'MohrCoulomb', 'Momentum', 'Monitor', 'Newtonian', 'NoSlipWall', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'Pressure', 'Progress', 'QuasiStatic', 'Radiation', 'RollerWall', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -220,6 +220,166 @@ class Annulus(Shape):
     @outer.setter
     def outer(self, value: float) -> None:
         ...
+class Ellipse(Shape):
+    """
+    Ellipse in the x-y plane with its axes along x and y; endless along z.
+    
+    Parameters
+    ----------
+    center : collections.abc.Sequence[float], m, default (0.0, 0.0)
+        centre
+    semi_axes : collections.abc.Sequence[float], m, required
+        half lengths along x and y
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, center: collections.abc.Sequence[float] = ..., semi_axes: collections.abc.Sequence[float]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def center(self) -> collections.abc.Sequence[float]:
+        """
+        centre, m
+        """
+    @center.setter
+    def center(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def semi_axes(self) -> collections.abc.Sequence[float]:
+        """
+        half lengths along x and y, m
+        """
+    @semi_axes.setter
+    def semi_axes(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+class Ellipsoid(Shape):
+    """
+    Ellipsoid with its axes along x, y and z.
+    
+    Parameters
+    ----------
+    center : collections.abc.Sequence[float], m, default (0.0, 0.0, 0.0)
+        centre
+    semi_axes : collections.abc.Sequence[float], m, required
+        half lengths along x, y and z
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, center: collections.abc.Sequence[float] = ..., semi_axes: collections.abc.Sequence[float]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def center(self) -> collections.abc.Sequence[float]:
+        """
+        centre, m
+        """
+    @center.setter
+    def center(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def semi_axes(self) -> collections.abc.Sequence[float]:
+        """
+        half lengths along x, y and z, m
+        """
+    @semi_axes.setter
+    def semi_axes(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+class HeightField(Shape):
+    """
+    Ground below heights on a regular grid, down to a flat bottom.
+    
+    Parameters
+    ----------
+    file : str, default ''
+        ESRI ASCII grid of heights, PNG or PGM image
+    values : collections.abc.Sequence[collections.abc.Sequence[float]], default ()
+        heights, rows from the far side, where no file is given
+    spacing : float | None, m, default None
+        between heights; an ESRI grid knows it; above 0 (m)
+    origin : collections.abc.Sequence[float], m, default ()
+        place of the first height of the last row; empty: that of the ESRI grid, or 0; 0 to 2 entries
+    scale : float, m, default 1.0
+        height of one unit; in images that of white; above 0 (m)
+    bottom : float, m, required
+        where the ground ends, below all heights
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, file: str = ..., values: collections.abc.Sequence[collections.abc.Sequence[float]] = ..., spacing: float | None = ..., origin: collections.abc.Sequence[float] = ..., scale: float = ..., bottom: float) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def bottom(self) -> float:
+        """
+        where the ground ends, below all heights, m
+        """
+    @bottom.setter
+    def bottom(self, value: float) -> None:
+        ...
+    @property
+    def file(self) -> str:
+        """
+        ESRI ASCII grid of heights, PNG or PGM image
+        """
+    @file.setter
+    def file(self, value: str) -> None:
+        ...
+    @property
+    def origin(self) -> collections.abc.Sequence[float]:
+        """
+        place of the first height of the last row; empty: that of the ESRI grid, or 0, m
+        """
+    @origin.setter
+    def origin(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def scale(self) -> float:
+        """
+        height of one unit; in images that of white, m
+        """
+    @scale.setter
+    def scale(self, value: float) -> None:
+        ...
+    @property
+    def spacing(self) -> float | None:
+        """
+        between heights; an ESRI grid knows it, m
+        """
+    @spacing.setter
+    def spacing(self, value: float | None) -> None:
+        ...
+    @property
+    def values(self) -> collections.abc.Sequence[collections.abc.Sequence[float]]:
+        """
+        heights, rows from the far side, where no file is given
+        """
+    @values.setter
+    def values(self, value: collections.abc.Sequence[collections.abc.Sequence[float]]) -> None:
+        ...
 class Sphere(Shape):
     """
     Ball.
@@ -407,7 +567,7 @@ class Image(Shape):
     Parameters
     ----------
     file : str, default ''
-        PGM or PPM image
+        PNG, PGM or PPM image
     values : collections.abc.Sequence[collections.abc.Sequence[float]], default ()
         brightness 0 to 1, rows from the top, where no file is given
     pixel : float, m, required
@@ -443,7 +603,7 @@ class Image(Shape):
     @property
     def file(self) -> str:
         """
-        PGM or PPM image
+        PNG, PGM or PPM image
         """
     @file.setter
     def file(self, value: str) -> None:
@@ -1450,6 +1610,126 @@ class FrictionalWall:
     @face.setter
     def face(self, value: typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper']) -> None:
         ...
+class Obstacle:
+    """
+    A rigid obstacle of any shape, at rest or with a prescribed motion.
+    
+    Parameters
+    ----------
+    name : str, default ''
+        name of the obstacle in diagnostics and messages
+    shape : Shape, required
+        what material cannot enter, any shape
+    contact : typing.Literal['frictional', 'slip', 'no_slip'], default 'frictional'
+        frictional, slip or no_slip; material may part from all
+    friction : float, default 0.0
+        coefficient of Coulomb friction, of frictional; at least 0
+    adhesion : float, Pa, default 0.0
+        shear it bears beyond friction; at least 0
+    velocity : collections.abc.Sequence[float], m/s, default ()
+        one number an axis; empty: none
+    revolutions_per_second : float, 1/s, default 0.0
+        positive counter-clockwise
+    center : collections.abc.Sequence[float], m, default ()
+        centre of the turning; empty: the origin
+    axis : collections.abc.Sequence[float], default (0.0, 0.0, 1.0)
+        direction of the axis, in 3D
+    factor : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], default 1.0
+        multiplies the motion: a number or a table in time
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, name: str = ..., shape: Shape, contact: typing.Literal['frictional', 'slip', 'no_slip'] = ..., friction: float = ..., adhesion: float = ..., velocity: collections.abc.Sequence[float] = ..., revolutions_per_second: float = ..., center: collections.abc.Sequence[float] = ..., axis: collections.abc.Sequence[float] = ..., factor: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def adhesion(self) -> float:
+        """
+        shear it bears beyond friction, Pa
+        """
+    @adhesion.setter
+    def adhesion(self, value: float) -> None:
+        ...
+    @property
+    def axis(self) -> collections.abc.Sequence[float]:
+        """
+        direction of the axis, in 3D
+        """
+    @axis.setter
+    def axis(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def center(self) -> collections.abc.Sequence[float]:
+        """
+        centre of the turning; empty: the origin, m
+        """
+    @center.setter
+    def center(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def contact(self) -> typing.Literal['frictional', 'slip', 'no_slip']:
+        """
+        frictional, slip or no_slip; material may part from all
+        """
+    @contact.setter
+    def contact(self, value: typing.Literal['frictional', 'slip', 'no_slip']) -> None:
+        ...
+    @property
+    def factor(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        multiplies the motion: a number or a table in time
+        """
+    @factor.setter
+    def factor(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
+    def friction(self) -> float:
+        """
+        coefficient of Coulomb friction, of frictional
+        """
+    @friction.setter
+    def friction(self, value: float) -> None:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        name of the obstacle in diagnostics and messages
+        """
+    @name.setter
+    def name(self, value: str) -> None:
+        ...
+    @property
+    def revolutions_per_second(self) -> float:
+        """
+        positive counter-clockwise, 1/s
+        """
+    @revolutions_per_second.setter
+    def revolutions_per_second(self, value: float) -> None:
+        ...
+    @property
+    def shape(self) -> Shape:
+        """
+        what material cannot enter, any shape
+        """
+    @shape.setter
+    def shape(self, value: Shape) -> None:
+        ...
+    @property
+    def velocity(self) -> collections.abc.Sequence[float]:
+        """
+        one number an axis; empty: none, m/s
+        """
+    @velocity.setter
+    def velocity(self, value: collections.abc.Sequence[float]) -> None:
+        ...
 class Pressure:
     """
     A pressure on a free surface.
@@ -1568,16 +1848,20 @@ class Momentum:
     ----------
     gravity : collections.abc.Sequence[float], m/s2, default ()
         one number an axis; empty: none
-    transfer : typing.Literal['flip', 'apic', 'tpic'], default 'flip'
+    transfer : typing.Literal['blended_apic', 'flip', 'apic', 'tpic'], default 'blended_apic'
         what points and nodes hand each other
+    blend_rate : float, default 4.0
+        blended_apic: rate, per unit of strain, at which points take the nodal velocity; at least 0
     pic_share : float, default 0.05
-        share of the nodal velocity in FLIP; from 0 to 1
+        flip: share of the nodal velocity, applied once a step; from 0 to 1
     stress_update : typing.Literal['usl', 'musl'], default 'musl'
         which nodal velocity strains the points
     step_safety : float, default 0.5
         automatic step over h / (wave speed + point speed); above 0 and at most 1
     walls : list[NoSlipWall | RollerWall | FrictionalWall], default []
         faces of the grid that hold the material; others are open
+    obstacles : list[Obstacle], default []
+        rigid shapes that material cannot enter, at rest or moving
     boundaries : list[Pressure | Traction], default []
         loads on free surfaces; the first region that covers a place wins
     """
@@ -1586,13 +1870,21 @@ class Momentum:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., transfer: typing.Literal['flip', 'apic', 'tpic'] = ..., pic_share: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., step_safety: float = ..., walls: list[NoSlipWall | RollerWall | FrictionalWall] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
+    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., transfer: typing.Literal['blended_apic', 'flip', 'apic', 'tpic'] = ..., blend_rate: float = ..., pic_share: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., step_safety: float = ..., walls: list[NoSlipWall | RollerWall | FrictionalWall] = ..., obstacles: list[Obstacle] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
     def __setattr__(self, name: str, value: typing.Any) -> None:
         ...
     def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def blend_rate(self) -> float:
+        """
+        blended_apic: rate, per unit of strain, at which points take the nodal velocity
+        """
+    @blend_rate.setter
+    def blend_rate(self, value: float) -> None:
         ...
     @property
     def boundaries(self) -> list[Pressure | Traction]:
@@ -1611,9 +1903,17 @@ class Momentum:
     def gravity(self, value: collections.abc.Sequence[float]) -> None:
         ...
     @property
+    def obstacles(self) -> list[Obstacle]:
+        """
+        rigid shapes that material cannot enter, at rest or moving
+        """
+    @obstacles.setter
+    def obstacles(self, value: list[Obstacle]) -> None:
+        ...
+    @property
     def pic_share(self) -> float:
         """
-        share of the nodal velocity in FLIP
+        flip: share of the nodal velocity, applied once a step
         """
     @pic_share.setter
     def pic_share(self, value: float) -> None:
@@ -1635,12 +1935,12 @@ class Momentum:
     def stress_update(self, value: typing.Literal['usl', 'musl']) -> None:
         ...
     @property
-    def transfer(self) -> typing.Literal['flip', 'apic', 'tpic']:
+    def transfer(self) -> typing.Literal['blended_apic', 'flip', 'apic', 'tpic']:
         """
         what points and nodes hand each other
         """
     @transfer.setter
-    def transfer(self, value: typing.Literal['flip', 'apic', 'tpic']) -> None:
+    def transfer(self, value: typing.Literal['blended_apic', 'flip', 'apic', 'tpic']) -> None:
         ...
     @property
     def walls(self) -> list[NoSlipWall | RollerWall | FrictionalWall]:
@@ -2235,8 +2535,8 @@ class Body:
         arrays of points, from a program only
     points_per_cell : int | None, default 'auto'
         points in a full cell, the same number along each axis; from 1 to 1000
-    clip : bool, default False
-        cut the volume of boundary points to the shape
+    fill : typing.Literal['exact', 'lattice'] | None, default 'auto'
+        points with the volume of their part of the shape, or whole boxes of a lattice; automatic: lattice in peridynamics and for the boxes of gimp in heat and momentum, otherwise exact
     jitter : float, default 0.0
         random displacement, in spacings of the points; from 0 to 0.5
     random : bool, default False
@@ -2269,7 +2569,7 @@ class Body:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., clip: bool = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Elastic | Newtonian | MohrCoulomb | ThermalExpansion | PlasticHeating], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., geostatic: Geostatic | None = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
+    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., fill: typing.Literal['exact', 'lattice'] | None | str = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Elastic | Newtonian | MohrCoulomb | ThermalExpansion | PlasticHeating], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., geostatic: Geostatic | None = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -2278,12 +2578,12 @@ class Body:
     def __setstate__(self, members: dict[str, typing.Any]) -> None:
         ...
     @property
-    def clip(self) -> bool:
+    def fill(self) -> typing.Literal['exact', 'lattice'] | None | str:
         """
-        cut the volume of boundary points to the shape
+        points with the volume of their part of the shape, or whole boxes of a lattice; automatic: lattice in peridynamics and for the boxes of gimp in heat and momentum, otherwise exact
         """
-    @clip.setter
-    def clip(self, value: bool) -> None:
+    @fill.setter
+    def fill(self, value: typing.Literal['exact', 'lattice'] | None | str) -> None:
         ...
     @property
     def geostatic(self) -> Geostatic | None:
@@ -3345,6 +3645,10 @@ class Simulation:
     def unit(self, name: str) -> str:
         """
         The unit of a field.
+        """
+    def volumes(self) -> dict[str, tuple[float, float | None]]:
+        """
+        Of each body the volume of its points now and that of its shape, None where it has none; area, length in fewer dimensions.
         """
     @property
     def dimension(self) -> int:

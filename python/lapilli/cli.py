@@ -1,8 +1,10 @@
-"""Commands: lapilli run, check, reproduce, tradeoff, extremes, plot, merge, verify, keys."""
+"""Commands: lapilli run, check, plot, merge, verify, keys, schema, examples, reproduce, tradeoff,
+extremes."""
 
 from __future__ import annotations
 
 import argparse
+import difflib
 import signal
 import sys
 from collections.abc import Sequence
@@ -19,7 +21,10 @@ FINISHED, RUN_FAILED, WRONG_INPUT, DISK_FAILED, BAR_MISSED, SIGNALLED = 0, 1, 2,
 
 def main(words: Sequence[str] | None = None) -> int:
     """Run one command; mistakes become one line on standard error and an exit code."""
-    given = parser().parse_args(words)
+    words = list(sys.argv[1:] if words is None else words)
+    top = parser()
+    require_known_command(top, words)
+    given = top.parse_args(words)
     for text in vars(given).values():
         if isinstance(text, str) and not is_utf8(text):
             return report(ValueError(f"{text!a} is a name that is no UTF-8"), WRONG_INPUT)
@@ -42,6 +47,21 @@ def main(words: Sequence[str] | None = None) -> int:
         return report(error, RUN_FAILED)
     except (ValueError, OSError) as error:
         return report(error, DISK_FAILED if is_disk_failure(error) else WRONG_INPUT)
+
+
+def require_known_command(top: Parser, words: Sequence[str]) -> None:
+    """Name the command that a misspelt one was meant for."""
+    known = command_names(top)
+    if words and not words[0].startswith("-") and words[0] not in known:
+        near = difflib.get_close_matches(words[0], known, 1)
+        meant = f"; did you mean '{near[0]}'?" if near else f"; there is: {', '.join(known)}"
+        top.error(f"unknown command '{words[0]}'{meant}")
+
+
+def command_names(top: Parser) -> list[str]:
+    """The commands of a parser."""
+    actions = [a for a in top._actions if isinstance(a, argparse._SubParsersAction)]
+    return [name for action in actions for name in action.choices]
 
 
 def report(error: Exception, code: int) -> int:
@@ -96,13 +116,36 @@ def parser() -> argparse.ArgumentParser:
     )
     verify.set_defaults(command=verify_command)
 
-    keys = commands.add_parser("keys", help="list every key of a scene file")
+    keys = commands.add_parser("keys", help="list the keys of a scene file")
+    keys.add_argument(
+        "section",
+        nargs="?",
+        default="",
+        help="one section (heat, heat.boundaries, shape, annulus), or history: what runs record",
+    )
     keys.set_defaults(command=keys_command)
+
+    schema = commands.add_parser("schema", help="JSON Schema of scene files, for editors")
+    schema.add_argument("--save", metavar="FILE", help="write it there")
+    schema.set_defaults(command=schema_command)
+
+    _add_examples(commands)
 
     _add_tradeoff(commands)
     _add_reproduce(commands)
     _add_extremes(commands)
     return top
+
+
+def _add_examples(commands: argparse._SubParsersAction[Parser]) -> None:
+    examples = commands.add_parser("examples", help="list or copy the example scenes")
+    actions = examples.add_subparsers(required=True, metavar="ACTION", parser_class=Parser)
+    shown = actions.add_parser("list", help="name and title of each")
+    shown.set_defaults(command=list_examples_command)
+    copied = actions.add_parser("copy", help="copy scenes with the files they read")
+    copied.add_argument("name", nargs="*", help="vhfm/ring, or vhfm for all of it; all if none")
+    copied.add_argument("--to", metavar="DIR", default=".", help="the current folder unless given")
+    copied.set_defaults(command=copy_examples_command)
 
 
 def _summary() -> str:
@@ -196,7 +239,6 @@ def load(given: argparse.Namespace) -> Scene:
 
 def run_command(given: argparse.Namespace) -> int:
     """lapilli run"""
-    from lapilli.progress import readable_time
     from lapilli.result import run
 
     scene = load(given)
@@ -210,19 +252,7 @@ def run_command(given: argparse.Namespace) -> int:
         resume=given.resume,
     )
     if not given.quiet:
-        summary = result.summary
-        print(
-            f"{'finished' if summary.finished else 'stopped'} at {summary.time:g} s after "
-            f"{result.simulation.step_index} steps in {readable_time(summary.wall_seconds)}; "
-            f"{summary.frames} frames in {output}"
-        )
-        for note in summary.notes:
-            print(f"note: {note}")
-        for ledger in result.ledger.values():
-            print(
-                f"{ledger.quantity}: {ledger.taken_in:.6g} {ledger.unit} came in, "
-                f"{ledger.stored:.6g} stored at the end, balance off by {ledger.residual:.1e}"
-            )
+        print(result.report(), end="")
     return FINISHED
 
 
@@ -267,7 +297,36 @@ def verify_command(given: argparse.Namespace) -> int:
 
 def keys_command(given: argparse.Namespace) -> int:
     """lapilli keys"""
-    print(_core.keys_as_markdown(), end="")
+    print(_core.keys_as_markdown(given.section), end="")
+    return FINISHED
+
+
+def schema_command(given: argparse.Namespace) -> int:
+    """lapilli schema"""
+    if given.save is None:
+        print(_core.scene_schema(), end="")
+    else:
+        Path(given.save).write_text(_core.scene_schema())
+        print(f"wrote {given.save}")
+    return FINISHED
+
+
+def list_examples_command(given: argparse.Namespace) -> int:
+    """lapilli examples list"""
+    from lapilli import examples
+
+    width = max(map(len, examples.names()), default=0)
+    for name in examples.names():
+        print(f"{name:{width}}  {examples.title(name)}")
+    return FINISHED
+
+
+def copy_examples_command(given: argparse.Namespace) -> int:
+    """lapilli examples copy"""
+    from lapilli import examples
+
+    for path in examples.copy(given.name, given.to):
+        print(f"wrote {path}")
     return FINISHED
 
 
@@ -275,8 +334,7 @@ def tradeoff_command(given: argparse.Namespace) -> int:
     """lapilli tradeoff"""
     from lapilli.study.show import show_study
 
-    show_study(load(given), given)
-    return FINISHED
+    return FINISHED if show_study(load(given), given) else RUN_FAILED
 
 
 def reproduce_command(given: argparse.Namespace) -> int:

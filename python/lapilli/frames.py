@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,6 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from lapilli import _core
+from lapilli._core import Scene
+from lapilli.part import Part, names_of
 
 Array = npt.NDArray[Any]
 
@@ -31,17 +34,30 @@ class Frame:
 
         Raises ``OutputError`` naming file, frame and field when it is damaged or missing.
         """
+        return self._read(name)
+
+    @property
+    def position(self) -> npt.NDArray[np.float64]:
+        """Positions (points, 3) in the order of ids, m; scenes of fewer dimensions have zeros."""
+        return self._read("position")
+
+    def body(self, which: int | str) -> Part:
+        """The points of one body or fluid wall, by its number (bodies first, from 0) or by the name
+        that the run record beside the frames gives it."""
+        record = self._frames.path.with_suffix(".json")
+        if isinstance(which, int) and not record.is_file():
+            return Part(self._read, which, [""] * (which + 1))
+        return Part(
+            self._read, which, names_of(Scene.parse(json.loads(record.read_text())["scene"]))
+        )
+
+    def _read(self, name: str) -> Array:
         if name != "position" and name not in self._frames.fields:
             raise KeyError(
                 f"no field {name!r} in {self._frames.path}; there is: "
                 + ", ".join(self._frames.fields)
             )
         return self._frames.reader.read(self.number, name)
-
-    @property
-    def position(self) -> npt.NDArray[np.float64]:
-        """Positions (points, 3) in the order of ids, m; scenes of fewer dimensions have zeros."""
-        return self._frames.reader.read(self.number, "position")
 
 
 class Frames:
@@ -72,5 +88,11 @@ class Frames:
         return (self[number] for number in range(len(self)))
 
     def at(self, time: float) -> Frame:
-        """The frame nearest to a time."""
+        """The frame nearest to a time. Times before the first or after the last are an error."""
+        first, last = float(self.times[0]), float(self.times[-1])
+        slack = 1e-9 * max(abs(first), abs(last))
+        if not first - slack <= time <= last + slack:
+            raise ValueError(
+                f"no frame at {time:g} s in {self.path}: they go from {first:g} s to {last:g} s"
+            )
         return self[int(np.argmin(np.abs(self.times - time)))]

@@ -3,29 +3,12 @@
 from __future__ import annotations
 
 import contextlib
-import math
 import sys
 from collections.abc import Callable, Iterator
 
-from lapilli._core import Progress
+from lapilli._core import Progress, progress_text, readable_time
 
 Show = Callable[[Progress], None]
-
-
-def readable_time(seconds: float) -> str:
-    """3.2 s, 14 min, 2 h 5 min."""
-    if not math.isfinite(seconds):
-        return "?"
-    if seconds < 99.5:
-        return f"{seconds:.1f} s" if seconds < 9.95 else f"{seconds:.0f} s"
-    minutes = round(seconds / 60)
-    return f"{minutes} min" if minutes < 100 else f"{minutes // 60} h {minutes % 60} min"
-
-
-def state_line(now: Progress) -> str:
-    """Simulated time, step and speed on one line."""
-    speed = now.points * now.step / now.seconds_elapsed / 1e6 if now.seconds_elapsed > 0 else 0.0
-    return f"t = {now.time:.4g} s, step {now.step}, {speed:.3g} million point-steps/s"
 
 
 @contextlib.contextmanager
@@ -48,8 +31,7 @@ def _plain_lines() -> Show:
         tenth = int(10 * now.fraction + 1e-9)
         if tenth > shown:
             shown = tenth
-            left = "" if tenth == 10 else f", {readable_time(now.seconds_left)} left"
-            print(f"{10 * tenth:3d} %  {state_line(now)}{left}", file=sys.stderr, flush=True)
+            print(f"{10 * tenth:3d} %  {progress_text(now)}", file=sys.stderr, flush=True)
 
     return show
 
@@ -65,9 +47,9 @@ def _terminal_bar() -> Iterator[Show]:
         task = bar.add_task("building the scene", total=1.0)
 
         def show(now: Progress) -> None:
-            left = readable_time(now.seconds_left)
-            took = readable_time(now.seconds_elapsed)
-            end = f"{took}" if now.fraction >= 1 else f"{left} left"
-            bar.update(task, completed=now.fraction, description=f"{end}  {state_line(now)}")
+            text = progress_text(now)
+            if now.fraction >= 1:
+                text += f", took {readable_time(now.seconds_elapsed)}"
+            bar.update(task, completed=now.fraction, description=text)
 
         yield show

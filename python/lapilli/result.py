@@ -16,6 +16,8 @@ import numpy.typing as npt
 from lapilli import _core
 from lapilli._core import Ledger, RunSummary, Scene, Simulation
 from lapilli.frames import Frames
+from lapilli.history import History
+from lapilli.part import Part, names_of
 from lapilli.progress import progress_bar
 
 Callback = Callable[[Simulation], Any]
@@ -25,13 +27,19 @@ class Result:
     """What a run left: the last state, the account of what it conserves, its record and frames.
 
     ``result["temperature"]`` is a read-only view of the last state in the present order of the
-    points; ``result.by_id("temperature")`` is a copy in the order of their ids.
+    points; ``result.by_id("temperature")`` is a copy in the order of their ids. Both hold all points,
+    those of fluid walls too; ``result.body("air")["temperature"]`` holds those of one body.
+    ``result.history`` holds what was recorded in time.
     """
 
-    def __init__(self, simulation: Simulation, summary: RunSummary, output: Path | None) -> None:
+    def __init__(
+        self, simulation: Simulation, summary: RunSummary, output: Path | None, scene: Scene
+    ) -> None:
+        self._bodies = names_of(scene)
         self.simulation = simulation
         self.summary = summary
         self.output = output
+        self.history = History(summary.history, summary.history_columns)
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:
         return self.simulation[name]
@@ -43,6 +51,10 @@ class Result:
     def by_id(self, name: str) -> npt.NDArray[Any]:
         """A copy of a field with its rows in the order of the points' ids."""
         return self.simulation.by_id(name)
+
+    def body(self, which: int | str) -> Part:
+        """The points of one body or fluid wall, by its name or number (bodies first, from 0)."""
+        return Part(self.by_id, which, self._bodies)
 
     @property
     def position(self) -> npt.NDArray[np.float64]:
@@ -58,6 +70,10 @@ class Result:
     def ledger(self) -> dict[str, Ledger]:
         """The account of every conserved quantity, by its name ("heat")."""
         return {ledger.quantity: ledger for ledger in self.simulation.ledger()}
+
+    def report(self) -> str:
+        """How the run ended, its balances and what its user should know, as lines of text."""
+        return _core.summary_text(self.simulation, self.summary, str(self.output or ""))
 
     @property
     def frames(self) -> Frames:
@@ -78,6 +94,12 @@ class Result:
             raise ValueError("the run wrote no record: give output='name.vtkhdf'")
         record: dict[str, Any] = json.loads(self.output.with_suffix(".json").read_text())
         return record
+
+    @property
+    def warnings(self) -> list[str]:
+        """What each physics says of its last state that is not wrong but not right either; needs
+        the record."""
+        return [warning for physics in self.record["physics"] for warning in physics["warnings"]]
 
 
 def run(
@@ -100,7 +122,7 @@ def run(
     output
         File of frames for ParaView (``.vtkhdf``); overrides ``scene.output.path``.
     every
-        Time between frames, s; overrides ``scene.output.every``.
+        Time between frames, s; overrides ``scene.output.every`` and ``every_steps``.
     threads
         Threads of this run; all processors unless given.
     progress
@@ -116,7 +138,7 @@ def run(
         simulation = Simulation(scene)
         with progress_bar(progress) as show:
             summary = _core.run_simulation(simulation, scene, resume, show, callback)
-    return Result(simulation, summary, path)
+    return Result(simulation, summary, path, scene)
 
 
 def with_output(
@@ -131,6 +153,7 @@ def with_output(
         scene.output.path = os.fspath(output)
     if every is not None:
         scene.output.every = every
+        scene.output.every_steps = None
     return scene
 
 

@@ -1,8 +1,16 @@
 """Objects that several tests need."""
 
+from pathlib import Path
+
 import pytest
 
 import lapilli as lp
+
+
+@pytest.fixture(autouse=True)
+def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every test runs in a folder of its own: what it writes lies beside nothing else."""
+    monkeypatch.chdir(tmp_path)
 
 
 @pytest.fixture

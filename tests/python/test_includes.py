@@ -43,9 +43,26 @@ def test_folder_includes_only_what_it_may(folder: str) -> None:
     assert not strangers
 
 
-def test_the_executable_and_the_bindings_add_nothing_else() -> None:
+def test_the_executable_adds_nothing_else() -> None:
     app = {other for path in sources(ROOT / "cpp" / "app") for other in folders_included(path)}
     assert app <= {"scene", "output", "core"}
+
+
+def test_the_bindings_include_scene_output_core_and_plain_structs() -> None:
+    """Of the other folders only what scenes are described with: no solver, no transfer."""
+    included = {
+        header
+        for path in sources(ROOT / "python" / "bindings")
+        for header in re.findall(r'#\s*include\s+"lapilli/([^"]+)"', path.read_text())
+    }
+    assert included, "the pattern sees nothing"
+    solvers = {
+        header
+        for header in included
+        if header.split("/")[0] in {"mpm", "peridynamics"}
+        and not header.endswith(("settings.hpp", "surface_view.hpp"))
+    }
+    assert not solvers
 
 
 @pytest.mark.parametrize(

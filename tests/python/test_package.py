@@ -62,3 +62,10 @@ def test_a_repaired_wheel_runs_in_a_clean_environment(ring: lp.Scene, tmp_path: 
     ring.save(str(tmp_path / "ring.toml"))
     subprocess.run([bin_ / "lapilli", "run", "ring.toml"], check=True, cwd=tmp_path, env={})
     assert len(lp.Frames(tmp_path / "ring.vtkhdf")) == 2
+    # outside of the sources: the examples and the cases that use them
+    command = [bin_ / "lapilli", "examples", "copy", "vhfm/fan", "--to", "copied"]
+    subprocess.run(command, check=True, cwd=tmp_path, env={})
+    assert (tmp_path / "copied" / "vhfm" / "fan.pgm").exists()
+    command = [bin_ / "lapilli", "reproduce", "ib/block", "--quick"]
+    subprocess.run([bin_ / "pip", "install", "--quiet", "scipy"], check=True)
+    subprocess.run(command, check=True, cwd=tmp_path, env={})

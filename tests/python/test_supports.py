@@ -33,8 +33,8 @@ def test_check_says_what_is_modelled(turned: lp.Scene) -> None:
     text = _core.check_text(turned)
     assert "equilibrium under load steps, implicit walls (mean-gap)" in text
     assert "inertia, large strains, friction, walls that let go" in text
-    turned.bodies[0].clip = False
-    assert "not clipped" in _core.check_text(turned)
+    turned.bodies[0].fill = "lattice"
+    assert "filled by a lattice" in _core.check_text(turned)
 
 
 def test_the_paper_rule_is_warned_of() -> None:

@@ -25,6 +25,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+/// Keys that were replaced, and by which.
+constexpr std::pair<std::string_view, const char*> replaced[] = {{"clip", "fill"}};
+
 }  // namespace
 
 std::string allowed_range(const Key& key) {
@@ -43,15 +46,18 @@ std::string allowed_range(const Key& key) {
   return words;
 }
 
-void check_range(const Key& key, double value, std::string_view where) {
+std::string range_mistake(const Key& key, double value) {
   const bool usable = std::isfinite(value) || (key.infinity_allowed && std::isinf(value));
-  const bool inside =
-      usable && (key.open ? value > key.least : value >= key.least) && value <= key.most;
-  if (!inside) {
-    const std::string range = allowed_range(key);
-    require(false, where, where.empty() ? "" : ": ", key.name, " must be ",
-            range.empty() ? "a finite number" : range, ", got ", value);
+  if (usable && (key.open ? value > key.least : value >= key.least) && value <= key.most) {
+    return "";
   }
+  const std::string range = allowed_range(key);
+  return message("must be ", range.empty() ? "a finite number" : range, ", got ", value);
+}
+
+void check_range(const Key& key, double value, std::string_view where) {
+  const std::string mistake = range_mistake(key, value);
+  require(mistake.empty(), where, where.empty() ? "" : ": ", key.name, " ", mistake);
 }
 
 std::string allowed_length(const Key& key) {
@@ -71,6 +77,12 @@ void check_length(const Key& key, Index count, std::string_view where) {
 }
 
 std::string nearest_name(std::string_view given, const std::vector<std::string>& candidates) {
+  for (const auto& [former, now] : replaced) {
+    if (given == former &&
+        std::find(candidates.begin(), candidates.end(), now) != candidates.end()) {
+      return now;
+    }
+  }
   std::string nearest;
   std::size_t least = std::max<std::size_t>(2, given.size() / 3) + 1;
   for (const std::string& candidate : candidates) {

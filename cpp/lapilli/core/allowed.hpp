@@ -14,8 +14,12 @@ namespace lapilli {
 /// Empty where every finite number may stand.
 std::string allowed_range(const Key& key);
 
-/// Throws std::invalid_argument unless `value` is finite and in the key's range. The message reads
-/// "<where>: <key> must be above 0 (m), got -1"; every reader of a scene says it so.
+/// What is wrong with a number of this key: "must be above 0 (m), got -1". Empty when it is finite
+/// and in the key's range. The one place where the range of a number is checked.
+std::string range_mistake(const Key& key, double value);
+
+/// Throws std::invalid_argument unless `value` is allowed: "<where>: <key> must be above 0 (m), got
+/// -1".
 void check_range(const Key& key, double value, std::string_view where);
 
 /// How many entries a list of this key holds, in words: "1 to 3 entries", "at least 1 entry".

@@ -1,14 +1,29 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lapilli/core/simulation.hpp"
 
 namespace lapilli {
 
-/// Named numbers of every physics, "flow/velocity noise", of the state that fields() shows.
-std::vector<std::pair<std::string, double>> diagnostics_of(Simulation& simulation);
+/// One number that is recorded in time.
+struct Scalar {
+  std::string name;     // "momentum/kinetic_energy": letters, digits, _ and one slash
+  double value = 0.0;   //
+  std::string unit;     // per metre of depth in two dimensions, per square metre in one
+  std::string meaning;  // one sentence
+};
+
+/// The diagnostics of every physics, of the state that fields() shows.
+std::vector<Scalar> diagnostics_of(Simulation& simulation);
+
+/// All that is recorded in time: diagnostics, energy and mass balances ("heat/supplied_by_inflow"),
+/// the smallest and largest value of every field over the points of the first `bodies` bodies
+/// (their size for vectors and tensors), and how far the points reach where they move.
+std::vector<Scalar> scalars_of(Simulation& simulation, int bodies);
+
+/// What is recorded, as rows of a Markdown table: name, unit, meaning.
+std::string diagnostics_as_markdown();
 
 }  // namespace lapilli

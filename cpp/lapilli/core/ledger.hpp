@@ -1,7 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,27 +19,21 @@ struct Ledger {
   double initial = 0.0;        // stored at the start
   double stored = 0.0;         // stored now
   std::vector<Entry> entries;  // every way in or out
-  double scale = 0.0;          // least size the residual is compared with
+  double scale = 0.0;          // what the store spans now: capacity x range, kinetic energy
+  double bar = std::numeric_limits<double>::infinity();  // a run whose residual is larger failed
+  double largest = 0.0;  // the largest turnover or scale so far, kept by the simulation
 
-  double taken_in() const {
-    double sum = 0.0;
-    for (const Entry& entry : entries) {
-      sum += entry.in;
-    }
-    return sum;
-  }
-  double turnover() const {
-    double sum = 0.0;
-    for (const Entry& entry : entries) {
-      sum += std::abs(entry.in);
-    }
-    return sum;
-  }
-  /// (stored - initial - taken in) over the larger of turnover and scale; 0 when nothing happened.
-  double residual() const {
-    const double reference = std::max(turnover(), scale);
-    return reference > 0.0 ? (stored - initial - taken_in()) / reference : 0.0;
-  }
+  double taken_in() const;
+  double turnover() const;
+  /// stored - initial - taken in.
+  double gap() const { return stored - initial - taken_in(); }
+  /// The gap over the largest turnover or scale so far; a billionth of the store where hardly
+  /// anything happened, whose sums are rounded.
+  double residual() const;
 };
+
+/// What is wrong with the balances whose residual passes their bar, one line each; empty when all
+/// close.
+std::string open_balances(std::span<const Ledger> ledgers);
 
 }  // namespace lapilli

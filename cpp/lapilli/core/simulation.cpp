@@ -8,12 +8,18 @@
 #include "lapilli/core/step_refused.hpp"
 
 namespace lapilli {
+namespace {
+
+constexpr Index balance_every = 128;  // steps
+
+}  // namespace
 
 Simulation::Simulation(std::unique_ptr<Points> points,
                        std::vector<std::unique_ptr<Physics>> physics, Clock clock)
     : points_(std::move(points)), physics_(std::move(physics)), clock_(clock) {
   require(!physics_.empty(), "the scene contains no physics: add a section such as [heat]");
   next_step_size();
+  watch_balances();
 }
 
 double Simulation::next_step_size() const {
@@ -84,7 +90,18 @@ StepReport Simulation::advance(double size, bool look) {
   }
   time_ += total.accepted;
   ++index_;
+  if (index_ % balance_every == 0) {
+    watch_balances();
+  }
   return total;
+}
+
+void Simulation::watch_balances() {
+  const std::vector<Ledger> now = ledgers();
+  largest_.resize(now.size(), 0.0);
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    largest_[k] = std::max({largest_[k], now[k].scale, now[k].turnover()});
+  }
 }
 
 void Simulation::run_until(double time, const std::function<bool(const Simulation&)>& after_step) {
@@ -113,6 +130,7 @@ std::vector<Ledger> Simulation::ledgers() const {
   std::vector<Ledger> all;
   for (const auto& physics : physics_) {
     for (Ledger& ledger : physics->ledgers()) {
+      ledger.largest = all.size() < largest_.size() ? largest_[all.size()] : 0.0;
       all.push_back(std::move(ledger));
     }
   }
@@ -122,6 +140,7 @@ std::vector<Ledger> Simulation::ledgers() const {
 void Simulation::save(Archive& archive) const {
   archive.write("clock/time", time_);
   archive.write("clock/index", index_);
+  archive.write("clock/largest_balance", std::span<const double>(largest_));
   points_->save(archive);
   for (const auto& physics : physics_) {
     physics->save(archive);
@@ -132,6 +151,7 @@ void Simulation::load(const Archive& archive) {
   failure_ = "a checkpoint was not read to its end";
   time_ = archive.read_number("clock/time");
   index_ = archive.read_index("clock/index");
+  largest_ = archive.read_numbers("clock/largest_balance");
   points_->load(archive);
   for (const auto& physics : physics_) {
     physics->load(archive);

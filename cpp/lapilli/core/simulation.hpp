@@ -54,6 +54,8 @@ class Simulation {
  private:
   StepReport advance(double size, bool look);
   void require_whole() const;
+  /// Remember the largest amount that every balance has seen.
+  void watch_balances();
 
   std::unique_ptr<Points> points_;
   std::vector<std::unique_ptr<Physics>> physics_;
@@ -61,6 +63,7 @@ class Simulation {
   double time_ = 0.0;
   Index index_ = 0;
   std::string failure_;  // why the fields are half evolved; empty: they are whole
+  std::vector<double> largest_;  // by ledger
 };
 
 }  // namespace lapilli

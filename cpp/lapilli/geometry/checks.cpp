@@ -2,27 +2,35 @@
 
 namespace lapilli {
 
-std::string text_of(const std::vector<double>& numbers) {
-  std::string text = "(";
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    text += message(k == 0 ? "" : ", ", numbers[k]);
+std::ostream& operator<<(std::ostream& out, const NumbersText& text) {
+  out << "(";
+  for (std::size_t k = 0; k < text.numbers_.size(); ++k) {
+    out << (k == 0 ? "" : ", ") << text.numbers_[k];
   }
-  return text + ")";
-}
-
-std::string text_of(const Vec3& at, int dimension) {
-  return text_of(std::vector<double>(at.data(), at.data() + dimension));
+  return out << ")";
 }
 
 void require_numbers(const std::vector<double>& numbers, std::size_t least, std::size_t most,
                      const char* shape, const char* member) {
-  const std::string allowed =
-      least == most ? message(least) : message(least, most == least + 1 ? " or " : " to ", most);
-  require(numbers.size() >= least && numbers.size() <= most, shape, ": ", member, " needs ",
-          allowed, most == 1 ? " number" : " numbers", ", got ", numbers.size(), ": ",
-          text_of(numbers));
+  if (numbers.size() < least || numbers.size() > most) {
+    const std::string allowed =
+        least == most ? message(least) : message(least, most == least + 1 ? " or " : " to ", most);
+    require(false, shape, ": ", member, " needs ", allowed, most == 1 ? " number" : " numbers",
+            ", got ", numbers.size(), ": ", text_of(numbers));
+  }
   for (double number : numbers) {
     require(std::isfinite(number), shape, ": ", member, " must be finite, got ", text_of(numbers));
+  }
+}
+
+void require_row(const std::vector<double>& numbers, std::size_t count, const char* shape,
+                 const char* member, std::size_t row) {
+  bool usable = numbers.size() == count;
+  for (double number : numbers) {
+    usable &= std::isfinite(number);
+  }
+  if (!usable) {
+    require_numbers(numbers, count, count, shape, message(member, " ", row).c_str());
   }
 }
 

@@ -28,13 +28,14 @@ Random random_of(const Sites::Site& site, std::uint64_t seed) {
   return Random(mixed);
 }
 
-// A place near the site that is still inside; the site itself after 32 draws.
-Vec3 jittered(const Shape& shape, const Sites& sites, const Sites::Site& site,
+// A place near `middle`, in the frame of the lattice, that is still inside; `middle` itself after
+// 32 draws.
+Vec3 jittered(const Shape& shape, const Sites& sites, const Sites::Site& site, const Vec3& middle,
               const FillOptions& options) {
   Random random = random_of(site, options.seed);
   const double reach = options.jitter * sites.spacing();
   for (int draw = 0; draw < 32; ++draw) {
-    Vec3 here = sites.middle(site);
+    Vec3 here = middle;
     for (int axis = 0; axis < sites.dimension(); ++axis) {
       here[axis] += random.uniform(-reach, reach);
     }
@@ -43,7 +44,7 @@ Vec3 jittered(const Shape& shape, const Sites& sites, const Sites::Site& site,
       return there;
     }
   }
-  return sites.to_scene(sites.middle(site));
+  return sites.to_scene(middle);
 }
 
 void fill_lattice(const Shape& shape, const Sites& sites, const FillOptions& options,
@@ -53,15 +54,32 @@ void fill_lattice(const Shape& shape, const Sites& sites, const FillOptions& opt
   sites.each([&](const Sites::Site& site) {
     const Vec3 there = sites.to_scene(sites.middle(site));
     if (distance(shape, there) <= tolerance) {
-      append(points, options.jitter > 0.0 ? jittered(shape, sites, site, options) : there, volume);
+      append(
+          points,
+          options.jitter > 0.0 ? jittered(shape, sites, site, sites.middle(site), options) : there,
+          volume);
     }
   });
+}
+
+// One point for the part of each box inside the shape.
+void fill_clipped(const Shape& shape, const Sites& sites, const FillOptions& options,
+                  FilledPoints& points) {
+  std::vector<BoxPart> boxes = parts_of(shape, sites);
+  merge_slivers(boxes, options.smallest_volume * sites.box_volume());
+  for (const BoxPart& box : boxes) {
+    const Vec3 middle = box.part.is_whole ? sites.middle(box.site) : box.part.centroid;
+    append(points,
+           options.jitter > 0.0 ? jittered(shape, sites, box.site, middle, options)
+                                : sites.to_scene(middle),
+           box.part.is_whole ? sites.box_volume() : box.part.volume);
+  }
 }
 
 // As many uniform points as boxes fit in, all of one volume; the volumes sum to the shape's.
 void fill_random(const Shape& shape, const Sites& sites, const FillOptions& options,
                  FilledPoints& points) {
-  const double whole = clipped_volume(shape, sites);
+  const double whole = volume_of(parts_of(shape, sites));
   if (whole <= 0.0) {
     return;
   }
@@ -90,8 +108,8 @@ void check_options(const Lattice& lattice, const FillOptions& options, int dimen
   require(options.degrees == 0.0 || dimension > 1,
           "fill: a lattice of 1 dimension cannot be turned");
   require_numbers(options.center, 0, static_cast<std::size_t>(dimension), "fill", "center");
-  require(!options.clip || (options.jitter == 0.0 && !options.random),
-          "fill: clip goes with neither jitter nor random; clipped points sit at centroids");
+  require(!options.clip || !options.random,
+          "fill: give clip or random, not both; random points have the volume of the shape anyway");
   require(options.smallest_volume >= 0.0 && options.smallest_volume <= 0.5,
           "fill: smallest_volume must be 0 to 0.5 of a lattice box, got ", options.smallest_volume);
   require(!options.random || options.jitter == 0.0, "fill: give random or jitter, not both");
@@ -135,17 +153,22 @@ int points_per_axis(int points_per_cell, int dimension) {
   return root;
 }
 
-FilledPoints fill(const Shape& shape, const Lattice& lattice, const FillOptions& options,
-                  int dimension) {
+Shape ready_to_fill(const Shape& shape, const Lattice& lattice, const FillOptions& options,
+                    int dimension) {
   check_options(lattice, options, dimension);
   check(shape, dimension);
-  const Shape body = with_ends(shape, options, dimension);
+  return with_ends(shape, options, dimension);
+}
+
+FilledPoints fill(const Shape& shape, const Lattice& lattice, const FillOptions& options,
+                  int dimension) {
+  const Shape body = ready_to_fill(shape, lattice, options, dimension);
   const Sites sites(body, lattice, options, dimension);
   FilledPoints points;
   points.dimension = dimension;
   points.spacing = sites.spacing();
   if (options.clip) {
-    fill_clipped(body, sites, options.smallest_volume, points);
+    fill_clipped(body, sites, options, points);
   } else if (options.random) {
     fill_random(body, sites, options, points);
   } else {

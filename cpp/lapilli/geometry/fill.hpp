@@ -29,7 +29,8 @@ struct Lattice {
 
 /// How a shape is filled.
 struct FillOptions {
-  bool clip = false;    // boxes cut by the surface get their exact volume and centroid
+  bool clip = false;    // boxes cut by the surface get their exact volume and centroid; points
+                        // displaced by jitter stay inside and keep the volume
   double jitter = 0.0;  // fraction of the spacing, 0 to 0.5: largest displacement along each axis
   bool random = false;  // places drawn uniformly; as many as boxes fit, all of one volume
   std::uint64_t seed = 1;         // of jitter and random
@@ -37,7 +38,13 @@ struct FillOptions {
   std::vector<double> center;     // m, about this point; empty: the origin
   double smallest_volume = 1e-6;  // clip: boxes filled less than this share join a neighbour
   Bounds within;                  // m, ends of axes along which the shape has none: the grid
+  Bounds reach;                   // m, no site further out is looked at
 };
+
+/// The checked shape, cut by options.within along axes where it has no end. Throws
+/// std::invalid_argument for unusable shapes, lattices and options.
+Shape ready_to_fill(const Shape& shape, const Lattice& lattice, const FillOptions& options,
+                    int dimension);
 
 /// Points per axis of `points_per_cell`: its root of order `dimension`. Throws
 /// std::invalid_argument naming the nearest allowed numbers if that is not whole.
@@ -48,8 +55,7 @@ int points_per_axis(int points_per_cell, int dimension);
 /// By default one point at each lattice site inside the shape, of volume spacing^dimension, in
 /// lexicographic order (first axis fastest); the body then ends in a staircase. A site on the
 /// surface, to 1e-9 of the spacing, is inside. With `clip` each lattice box gives the part of it in
-/// the shape, volume and centroid: exact for polygons, for convex bodies with flat sides in any
-/// position and for any shape in one dimension, otherwise as `part_inside` says (measure.hpp).
+/// the shape, volume and centroid (box_parts.hpp says how exact).
 /// Throws std::invalid_argument for unusable shapes or options, endless shapes and when no site is
 /// inside.
 FilledPoints fill(const Shape& shape, const Lattice& lattice, const FillOptions& options,

@@ -5,6 +5,7 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/file_bytes.hpp"
+#include "lapilli/geometry/png_file.hpp"
 
 namespace lapilli {
 namespace {
@@ -61,9 +62,13 @@ class Reader {
 
 Image read_image(const std::string& path) {
   const std::string bytes = read_bytes(path);
+  if (is_png(bytes)) {
+    return png_image(bytes, path);
+  }
   const bool known = bytes.size() > 2 && bytes[0] == 'P' &&
                      std::string("2356").find(bytes[1]) != std::string::npos;
-  require(known, path, ": not a PGM or PPM image (P2, P3, P5 or P6); convert it to one of these");
+  require(known, path,
+          ": not a PNG, PGM or PPM image (P2, P3, P5 or P6); convert it to one of these");
   const bool is_text = bytes[1] == '2' || bytes[1] == '3';
   const int channels = bytes[1] == '3' || bytes[1] == '6' ? 3 : 1;
   Reader reader(path, bytes);

@@ -16,8 +16,8 @@ struct Image {
   }
 };
 
-/// An image file in PGM or PPM form (P2, P3, P5, P6; 8 or 16 bits); colours become brightness by
-/// their mean. Throws std::invalid_argument naming the file for other forms and broken files.
+/// An image file in PNG, PGM or PPM form (P2, P3, P5, P6; 8 or 16 bits); colours become brightness
+/// by their mean. Throws std::invalid_argument naming the file for other forms and broken files.
 Image read_image(const std::string& path);
 
 }  // namespace lapilli

@@ -82,6 +82,12 @@ Image given_image(const ImageMask& mask) {
     require(static_cast<int>(mask.values[row].size()) == image.width && image.width > 0,
             "image: rows of values must be of one length, row 0 has ", image.width, ", row ", row,
             " has ", mask.values[row].size());
+    for (std::size_t column = 0; column < mask.values[row].size(); ++column) {
+      const double value = mask.values[row][column];
+      require(value >= 0.0 && value <= 1.0, "image: brightness must be 0 to 1, got ", value,
+              " in row ", row, ", column ", column,
+              value > 1.0 && value <= 255.0 ? "; divide values of 8 bits by 255" : "");
+    }
     image.brightness.insert(image.brightness.end(), mask.values[row].begin(),
                             mask.values[row].end());
   }

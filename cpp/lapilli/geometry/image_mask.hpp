@@ -18,7 +18,7 @@ class PixelDistance;
 /// within a pixel.
 struct ImageMask {
   static constexpr const char* kind = "image";
-  std::string file;                         // PGM or PPM; or values
+  std::string file;                         // PNG, PGM or PPM; or values
   std::vector<std::vector<double>> values;  // brightness 0 to 1, rows from the top
   double pixel = 1.0;                       // m, side of a pixel
   std::vector<double> origin = {0.0, 0.0};  // m, lower left corner of the image
@@ -30,7 +30,7 @@ struct ImageMask {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("file").file().text("PGM or PPM image"), self.file);
+    visit(Key("file").file().text("PNG, PGM or PPM image"), self.file);
     visit(Key("values").text("brightness 0 to 1, rows from the top, where no file is given"),
           self.values);
     visit(Key("pixel").unit("m").positive().required().text("side of a pixel"), self.pixel);

@@ -12,6 +12,8 @@ Sites::Sites(const Shape& body, const Lattice& lattice, const FillOptions& optio
       fixed_(place(options.center)),
       turn_(rotation(options.degrees, Vec3::UnitZ())) {
   Bounds there = bounds(body);
+  there.lower = there.lower.cwiseMax(options.reach.lower);
+  there.upper = there.upper.cwiseMin(options.reach.upper).cwiseMax(there.lower);
   for (int axis = dimension; axis < 3; ++axis) {
     there.lower[axis] = there.upper[axis] = 0.0;
   }

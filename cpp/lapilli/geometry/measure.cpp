@@ -12,17 +12,6 @@ namespace {
 
 using Distance = std::function<double(const Vec3&)>;
 
-// Volume and first moment about a fixed corner.
-struct Sum {
-  double volume = 0.0;
-  Vec3 moment = Vec3::Zero();
-
-  void add(double weight, const Sum& other) {
-    volume += weight * other.volume;
-    moment += weight * other.moment;
-  }
-};
-
 struct Gauss {
   std::span<const double> place;   // in (0, 1)
   std::span<const double> weight;  // sums to 1
@@ -118,7 +107,7 @@ class SubBox {
     order_axes();
   }
 
-  Sum integrate(int gauss_points) const {
+  MomentSum integrate(int gauss_points) const {
     Vec3 at = lower_;
     return over_axis(dimension_ - 1, at, gauss(gauss_points));
   }
@@ -166,9 +155,9 @@ class SubBox {
     return all;
   }
 
-  Sum over_axis(int level, Vec3& at, const Gauss& rule) const {
+  MomentSum over_axis(int level, Vec3& at, const Gauss& rule) const {
     const int axis = order_[static_cast<std::size_t>(level)];
-    Sum sum;
+    MomentSum sum;
     const std::vector<double> cuts = breaks(level, at);
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
       const double from = cuts[k], length = cuts[k + 1] - cuts[k];
@@ -178,7 +167,8 @@ class SubBox {
       if (level == 0) {
         at[axis] = from + 0.5 * length;
         if (distance_(at) <= 0.0) {
-          sum.add(length, {1.0, at - corner_});
+          sum.add_place(length, at - corner_);
+          sum.second(axis, axis) += length * length * length / 12.0;
         }
       } else {
         for (std::size_t g = 0; g < rule.place.size(); ++g) {
@@ -217,7 +207,7 @@ struct Adaptive {
   Plan plan;
   double whole;
 
-  Sum integrate(const Vec3& lower, double side, int halvings_left) const {
+  MomentSum integrate(const Vec3& lower, double side, int halvings_left) const {
     Vec3 middle = lower;
     for (int axis = 0; axis < dimension; ++axis) {
       middle[axis] += 0.5 * side;
@@ -229,15 +219,20 @@ struct Adaptive {
       return {};
     }
     if (depth <= -reach) {
-      return {volume, volume * (middle - corner)};
+      MomentSum sum = moments_of_box(side, dimension);
+      const Vec3 from = lower - corner;
+      const Mat3 mixed = sum.first * from.transpose();
+      sum.second += mixed + mixed.transpose() + volume * from * from.transpose();
+      sum.first += volume * from;
+      return sum;
     }
     const SubBox box(distance, corner, lower, side, dimension);
-    const Sum fine = box.integrate(plan.fine);
+    const MomentSum fine = box.integrate(plan.fine);
     if (halvings_left == 0 ||
         std::abs(fine.volume - box.integrate(plan.coarse).volume) <= plan.tolerance * whole) {
       return fine;
     }
-    Sum sum;
+    MomentSum sum;
     for (int child = 0; child < 1 << dimension; ++child) {
       Vec3 from = lower;
       for (int axis = 0; axis < dimension; ++axis) {
@@ -251,16 +246,11 @@ struct Adaptive {
 
 }  // namespace
 
-Part part_inside(const Distance& signed_distance, const Vec3& lower, double side, int dimension) {
+MomentSum moments_inside(const Distance& signed_distance, const Vec3& lower, double side,
+                         int dimension) {
   const Plan plan = plan_for(dimension);
   const Adaptive adaptive{signed_distance, lower, dimension, plan, std::pow(side, dimension)};
-  const Sum sum = adaptive.integrate(lower, side, plan.halvings);
-  Part part;
-  part.volume = sum.volume;
-  if (sum.volume > 0.0) {
-    part.centroid = lower + sum.moment / sum.volume;
-  }
-  return part;
+  return adaptive.integrate(lower, side, plan.halvings);
 }
 
 }  // namespace lapilli

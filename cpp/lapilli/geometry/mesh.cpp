@@ -16,7 +16,7 @@ const TriangleSurface& surface_of(const Mesh& mesh) {
 Triangles given_triangles(const Mesh& mesh) {
   Triangles all;
   for (std::size_t k = 0; k < mesh.vertices.size(); ++k) {
-    require_numbers(mesh.vertices[k], 3, 3, Mesh::kind, message("vertex ", k).c_str());
+    require_row(mesh.vertices[k], 3, Mesh::kind, "vertex", k);
     all.vertices.push_back(place(mesh.vertices[k]));
   }
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {

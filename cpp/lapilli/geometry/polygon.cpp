@@ -136,7 +136,7 @@ void Polygon::check(int dimension) const {
   require_dimension(dimension, 2, kind, "a box");
   require(vertices.size() >= 3, "polygon: at least 3 vertices are needed, got ", vertices.size());
   for (std::size_t k = 0; k < vertices.size(); ++k) {
-    require_numbers(vertices[k], 2, 2, kind, message("vertex ", k).c_str());
+    require_row(vertices[k], 2, kind, "vertex", k);
   }
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     require(vertex(*this, k) != vertex(*this, k + 1), "polygon: vertices ", k, " and ",

@@ -4,6 +4,8 @@
 
 #include "lapilli/geometry/box.hpp"
 #include "lapilli/geometry/combine.hpp"
+#include "lapilli/geometry/ellipse.hpp"
+#include "lapilli/geometry/height_field.hpp"
 #include "lapilli/geometry/image_mask.hpp"
 #include "lapilli/geometry/mesh.hpp"
 #include "lapilli/geometry/polygon.hpp"
@@ -13,8 +15,9 @@ namespace lapilli {
 
 /// Any shape: plain data with a signed distance, negative inside. Scenes of one or two dimensions
 /// leave the last coordinates zero.
-struct Shape : std::variant<Box, HalfSpace, Disk, Annulus, Sphere, Cylinder, Polygon, Mesh,
-                            ImageMask, Union, Intersection, Difference, Rotated, Translated> {
+struct Shape : std::variant<Box, HalfSpace, Disk, Annulus, Ellipse, Sphere, Ellipsoid, Cylinder,
+                            Polygon, Mesh, HeightField, ImageMask, Union, Intersection, Difference,
+                            Rotated, Translated> {
   using variant::variant;
 };
 

@@ -1,15 +1,24 @@
 #include "lapilli/geometry/sources.hpp"
 
-#include <charconv>
 #include <cmath>
-#include <sstream>
+#include <ostream>
+#include <span>
 
 #include "lapilli/geometry/checks.hpp"
-#include "lapilli/geometry/file_bytes.hpp"
 #include "lapilli/geometry/npy_file.hpp"
+#include "lapilli/geometry/number_rows.hpp"
 
 namespace lapilli {
 namespace {
+
+// ", line 7" or ", row 6", for messages.
+struct RowName {
+  const char* kind;
+  std::size_t number;
+  friend std::ostream& operator<<(std::ostream& out, const RowName& name) {
+    return out << name.kind << name.number;
+  }
+};
 
 // Collects rows and sees that all are usable.
 class Rows {
@@ -18,23 +27,25 @@ class Rows {
     points_.dimension = dimension;
   }
 
-  // `where` is "line 7" or "row 6".
-  void add(const std::vector<double>& numbers, const std::string& where) {
+  void add(std::span<const double> numbers, const RowName& where) {
     const auto dimension = static_cast<std::size_t>(points_.dimension);
-    require(numbers.size() == dimension || numbers.size() == dimension + 1, path_, ", ", where,
+    require(numbers.size() == dimension || numbers.size() == dimension + 1, path_, where,
             ": a point needs ", dimension, " coordinates and perhaps a volume, got ",
-            numbers.size(), numbers.size() == 1 ? " number" : " numbers");
+            numbers.size(), numbers.size() == 1 ? " number" : " numbers",
+            points_.size() == 0 && numbers.size() == 1 && numbers[0] == std::floor(numbers[0])
+                ? "; is it a count of rows? leave it out"
+                : "");
     columns_ = columns_ == 0 ? numbers.size() : columns_;
-    require(numbers.size() == columns_, path_, ", ", where, ": got ", numbers.size(),
+    require(numbers.size() == columns_, path_, where, ": got ", numbers.size(),
             " numbers, the rows before have ", columns_);
     for (double number : numbers) {
-      require(std::isfinite(number), path_, ", ", where, ": numbers must be finite, got ", number);
+      require(std::isfinite(number), path_, where, ": numbers must be finite, got ", number);
     }
     const bool has_volume = numbers.size() > dimension;
-    require(has_volume || volume_ > 0.0, path_, ", ", where,
+    require(has_volume || volume_ > 0.0, path_, where,
             ": the file has no column of volumes and no volume was given");
     const double volume = has_volume ? numbers.back() : volume_;
-    require(volume > 0.0, path_, ", ", where, ": the volume must be positive, got ", volume);
+    require(volume > 0.0, path_, where, ": the volume must be positive, got ", volume);
     points_.position.insert(points_.position.end(), numbers.data(), numbers.data() + dimension);
     points_.volume.push_back(volume);
   }
@@ -56,53 +67,17 @@ class Rows {
   FilledPoints points_;
 };
 
-// The numbers of a line; false if a word is none, which `word` then holds.
-bool parse(std::string line, std::vector<double>& numbers, std::string& word) {
-  line = line.substr(0, line.find('#'));
-  for (char& letter : line) {
-    if (letter == ',' || letter == ';') {
-      letter = ' ';
-    }
-  }
-  std::istringstream words(line);
-  numbers.clear();
-  while (words >> word) {
-    const char* first = word.data() + (word.front() == '+' ? 1 : 0);
-    const char* last = word.data() + word.size();
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(first, last, number);
-    if (error != std::errc() || end != last) {
-      return false;
-    }
-    numbers.push_back(number);
-  }
-  return true;
-}
-
 void read_text(const std::string& path, Rows& rows) {
-  std::istringstream lines(read_bytes(path));
-  std::string line, word;
-  std::vector<double> numbers;
-  bool names_allowed = true;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    const bool is_numbers = parse(line, numbers, word);
-    const bool is_names = !is_numbers && numbers.empty() && names_allowed;
-    require(is_numbers || is_names, path, ", line ", number, ": '", word, "' is no number");
-    if (is_numbers && numbers.empty()) {
-      continue;
-    }
-    names_allowed = false;
-    if (is_numbers) {
-      rows.add(numbers, message("line ", number));
-    }
-  }
+  each_number_row(path, [&](const std::vector<double>& numbers, int line) {
+    rows.add(numbers, {", line ", static_cast<std::size_t>(line)});
+  });
 }
 
 void read_npy(const std::string& path, Rows& rows) {
   const NumberTable table = read_npy_table(path);
   for (std::size_t row = 0; row < table.rows; ++row) {
     const double* first = table.values.data() + row * table.columns;
-    rows.add({first, first + table.columns}, message("row ", row));
+    rows.add({first, table.columns}, {", row ", row});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/checks.hpp"
@@ -64,11 +65,24 @@ TriangleSurface::TriangleSurface(Triangles triangles, const std::string& name)
     return row[0] == row[1] || row[1] == row[2] || row[2] == row[0];
   });
   require(!triangles_.rows.empty(), name, ": the surface has no triangles");
+  remove_copies();
   require_closed(name);
   sense_ = signed_volume() < 0.0 ? -1.0 : 1.0;
   nodes_.reserve(triangles_.rows.size());
   build(0, triangles_.rows.size());
   bounds_ = nodes_.front().box;
+  covers_once_ = find_covers_once();
+}
+
+// A triangle given twice is meant once.
+void TriangleSurface::remove_copies() {
+  const auto turned = [](std::array<int, 3> row) {
+    std::rotate(row.begin(), std::min_element(row.begin(), row.end()), row.end());
+    return row;
+  };
+  std::set<std::array<int, 3>> known;
+  std::erase_if(triangles_.rows,
+                [&](const std::array<int, 3>& row) { return !known.insert(turned(row)).second; });
 }
 
 void TriangleSurface::check_usable(const std::string& name) const {

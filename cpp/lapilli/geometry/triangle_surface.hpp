@@ -30,6 +30,12 @@ class TriangleSurface {
   TriangleSurface(Triangles triangles, const std::string& name);
 
   const Bounds& bounds() const { return bounds_; }
+  const Triangles& triangles() const { return triangles_; }
+  /// -1 where all normals point in, otherwise 1.
+  double sense() const { return sense_; }
+  /// Whether the surface winds around every place once or not at all: no parts overlap, and parts
+  /// within others are holes. (A part that crosses itself is not told apart.)
+  bool covers_once() const { return covers_once_; }
   /// Enclosed volume (m^3), positive; parts that overlap count twice.
   double volume() const;
   Nearest nearest(const Vec3& x) const;
@@ -51,6 +57,9 @@ class TriangleSurface {
   }
   void check_usable(const std::string& name) const;
   void require_closed(const std::string& name) const;
+  void remove_copies();
+  bool find_covers_once() const;
+  bool is_crossed(std::size_t triangle, const std::vector<int>& part) const;
   double signed_volume() const;
   std::size_t build(std::size_t first, std::size_t count);
   Bounds box_of(std::size_t first, std::size_t count) const;
@@ -59,7 +68,8 @@ class TriangleSurface {
   Triangles triangles_;
   std::vector<Node> nodes_;
   Bounds bounds_;
-  double sense_ = 1.0;  // -1 where all normals point in
+  double sense_ = 1.0;
+  bool covers_once_ = true;
 };
 
 }  // namespace lapilli

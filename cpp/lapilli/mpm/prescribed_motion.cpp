@@ -1,6 +1,7 @@
 #include "lapilli/mpm/prescribed_motion.hpp"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -136,8 +137,9 @@ void carry_gradients(Points& points, const PointArray& start,
 }  // namespace
 
 template <int Dim>
-PrescribedMotion<Dim>::PrescribedMotion(Points& points, std::vector<std::optional<Motion>> motions)
-    : points_(points), motions_(std::move(motions)), start_(points, Dim) {
+PrescribedMotion<Dim>::PrescribedMotion(Points& points, std::vector<std::optional<Motion>> motions,
+                                        bool lazy)
+    : points_(points), motions_(std::move(motions)), start_(points, Dim), lazy_(lazy) {
   for (std::size_t body = 0; body < motions_.size(); ++body) {
     if (!motions_[body]) {
       continue;
@@ -176,8 +178,24 @@ void PrescribedMotion<Dim>::for_each_run(const Body& body) const {
 
 template <int Dim>
 StepReport PrescribedMotion<Dim>::advance(const Step& step) {
-  const auto before = maps_at<Dim>(motions_, step.time);
-  const auto after = maps_at<Dim>(motions_, step.time + step.size);
+  time_ = step.time + step.size;
+  if (!lazy_ || step.look) {
+    move(lazy_ ? placed_ : step.time, time_);
+  }
+  return {step.size, 0, 0.0};
+}
+
+template <int Dim>
+void PrescribedMotion<Dim>::refresh_output() {
+  if (placed_ != time_) {
+    move(placed_, time_);
+  }
+}
+
+template <int Dim>
+void PrescribedMotion<Dim>::move(double from, double to) {
+  const auto before = maps_at<Dim>(motions_, from);
+  const auto after = maps_at<Dim>(motions_, to);
   const auto start = [this](Index row) {
     return Vec<Dim>(Eigen::Map<const Vec<Dim>>(start_.data() + row * Dim));
   };
@@ -191,17 +209,22 @@ StepReport PrescribedMotion<Dim>::advance(const Step& step) {
         after[body]);
   });
   carry_gradients<Dim>(points_, start_, before, after);
-  return {step.size, 0, 0.0};
+  placed_ = to;
 }
 
 template <int Dim>
 void PrescribedMotion<Dim>::save(Archive& archive) const {
   archive.write("motion/start", start_.values());
+  archive.write("motion/times", std::array{time_, placed_});
 }
 
 template <int Dim>
 void PrescribedMotion<Dim>::load(const Archive& archive) {
   archive.read("motion/start", start_.values());
+  std::array<double, 2> times{};
+  archive.read("motion/times", std::span<double>(times));
+  time_ = times[0];
+  placed_ = times[1];
 }
 
 template class PrescribedMotion<1>;

@@ -69,12 +69,14 @@ template <int Dim>
 class PrescribedMotion final : public Physics {
  public:
   /// `motions` by body; an empty one rests. Throws std::invalid_argument for a motion that the
-  /// dimension does not allow.
-  PrescribedMotion(Points& points, std::vector<std::optional<Motion>> motions);
+  /// dimension does not allow. `lazy`: points are moved only where somebody may look; for scenes
+  /// whose physics does not ask where they are.
+  PrescribedMotion(Points& points, std::vector<std::optional<Motion>> motions, bool lazy = false);
 
   std::string name() const override { return "motion"; }
   StepLimit step_limit() const override;
   StepReport advance(const Step& step) override;
+  void refresh_output() override;
   std::vector<Field> fields() override { return {}; }
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
@@ -83,10 +85,14 @@ class PrescribedMotion final : public Physics {
   /// Call body(number, begin, end) for runs of rows of one body.
   template <class Body>
   void for_each_run(const Body& body) const;
+  /// Move the points from their places at one time to those at another.
+  void move(double from, double to);
 
   Points& points_;
   std::vector<std::optional<Motion>> motions_;
   PointArray start_;  // m, places at time zero
+  bool lazy_;
+  double time_ = 0.0, placed_ = 0.0;  // s, now and where the points are
 };
 
 }  // namespace lapilli

@@ -16,6 +16,8 @@ class FrameSchedule {
   double next_time(double time) const;
   /// Whether a frame at this time and step would also be written by a run that ends later.
   bool is_due(double time, Index step) const;
+  /// Whether a frame was due between two times, ends excluded.
+  bool is_passed(double from, double to) const { return interval_ > 0.0 && next_time(from) < to; }
   /// How many frames to expect in all; 0 when that depends on the steps.
   Index planned() const;
 

@@ -12,16 +12,34 @@ namespace {
 
 constexpr double record_interval_seconds = 1.0;
 
+/// A table says nothing of who wrote it: one beside a record of lapilli belongs to it.
+void require_own_history(const std::filesystem::path& output) {
+  const std::filesystem::path history = history_path(output);
+  std::error_code ignored;
+  const auto status = std::filesystem::symlink_status(history, ignored);
+  require(
+      !std::filesystem::exists(status) || (std::filesystem::is_regular_file(status) &&
+                                           (std::filesystem::exists(record_path(output), ignored) ||
+                                            std::filesystem::file_size(history, ignored) == 0)),
+      "'", history.string(),
+      "' was not written by lapilli: it is not overwritten; choose another output or take it "
+      "away");
+}
+
 }  // namespace
 
 RunFiles::RunFiles(Simulation& simulation, const RunOptions& options, const FrameSchedule& schedule)
-    : simulation_(simulation), options_(options), schedule_(schedule) {
+    : simulation_(simulation),
+      options_(options),
+      schedule_(schedule),
+      history_(simulation, options) {
   record_.scene_text = options.scene_text;
   record_.settings = options.settings;
   record_.fingerprint =
       options.fingerprint.empty() ? fingerprint(options.scene_text) : options.fingerprint;
   record_.not_compared = options.not_compared;
   record_.started = utc_now();
+  record_.notes = options.notes;
   record_.frames_file = options.output.filename().string();
 }
 
@@ -37,12 +55,18 @@ void RunFiles::take_over() {
     require_replaceable(checkpoint, OwnedFile::checkpoint);
   }
   require_replaceable(record_path(output), OwnedFile::record);
-  for (const auto& path : {output, checkpoint_path(output), record_path(output)}) {
+  require_own_history(output);
+  for (const auto& path :
+       {output, checkpoint_path(output), record_path(output), history_path(output)}) {
     remove_unfinished(path);
   }
 }
 
 void RunFiles::begin() {
+  history_.add(true);
+  if (!is_writing()) {
+    return;
+  }
   take_over();
   // The former checkpoint first: it must never stand beside frames of another run.
   std::error_code ignored;
@@ -50,6 +74,7 @@ void RunFiles::begin() {
     std::filesystem::remove(checkpoint, ignored);
   }
   writer_.emplace(options_.output, schedule_.planned());
+  stepped_ = simulation_.time();
   write_frame(true);
   write_record("running", {});
   write_checkpoint({});
@@ -100,17 +125,24 @@ void RunFiles::resume(RunStatistics& statistics) {
   simulation_.load(checkpoint.state);
   statistics.load(checkpoint.state);
   kept_frames_ = checkpoint.state.read_index("run/frames");
-  record_.history.load(checkpoint.state, simulation_);
-  record_.history.cut(kept_frames_);
+  history_.load(checkpoint.state);
+  stepped_ = time;
   writer_ = VtkhdfWriter::resume(options_.output, kept_frames_, schedule_.planned());
   write_record("running", statistics);
 }
 
 void RunFiles::after_step(const RunStatistics& statistics) {
+  history_.after_step();
+  const double time = simulation_.time();
+  const bool due =
+      schedule_.is_due(time, simulation_.step_index()) || schedule_.is_passed(stepped_, time);
+  stepped_ = time;
+  if (due) {
+    history_.add(true);
+  }
   if (!is_writing()) {
     return;
   }
-  const bool due = schedule_.is_due(simulation_.time(), simulation_.step_index());
   if (due) {
     write_frame(true);
     keep_record(statistics);
@@ -123,6 +155,7 @@ void RunFiles::after_step(const RunStatistics& statistics) {
 }
 
 void RunFiles::stop(const RunStatistics& statistics) {
+  history_.add(false);
   if (!is_writing()) {
     return;
   }
@@ -134,7 +167,6 @@ void RunFiles::stop(const RunStatistics& statistics) {
 
 void RunFiles::write_frame(bool keep) {
   writer_->write(simulation_.time(), simulation_.points(), simulation_.fields());
-  record_.history.add(simulation_);
   if (keep) {
     kept_frames_ = writer_->frames();
   }
@@ -157,7 +189,7 @@ void RunFiles::write_checkpoint(const RunStatistics& statistics) {
   simulation_.save(checkpoint.state);
   statistics.save(checkpoint.state);
   checkpoint.state.write("run/frames", kept_frames_);
-  record_.history.save(checkpoint.state);
+  history_.save(checkpoint.state);
   save_checkpoint(checkpoint_path(options_.output), checkpoint);
   checkpointed_ = std::chrono::steady_clock::now();
 }
@@ -171,7 +203,8 @@ void RunFiles::write_record(const char* status, const RunStatistics& statistics,
   record_.message = message;
   record_.statistics = statistics;
   record_.frames = frames();
-  write_run_record(record_path(options_.output), record_, simulation_);
+  write_run_record(record_path(options_.output), record_, history(), simulation_);
+  write_text(history_path(options_.output), history().to_csv());
 }
 
 std::string RunFiles::last_frame() const {
@@ -186,6 +219,10 @@ std::filesystem::path checkpoint_path(const std::filesystem::path& output) {
 
 std::filesystem::path record_path(const std::filesystem::path& output) {
   return std::filesystem::path(output).replace_extension(".json");
+}
+
+std::filesystem::path history_path(const std::filesystem::path& output) {
+  return std::filesystem::path(output).replace_extension(".csv");
 }
 
 }  // namespace lapilli

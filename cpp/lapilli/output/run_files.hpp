@@ -14,8 +14,8 @@
 
 namespace lapilli {
 
-/// The files of one run: frames, checkpoint, record, and the lock that keeps other runs off them
-/// while it lives. Without an output path it writes nothing.
+/// The files of one run: frames, checkpoint, record, history, and the lock that keeps other runs
+/// off them while it lives. Without an output path it writes nothing and keeps the history alone.
 class RunFiles {
  public:
   /// Options and schedule must outlive it.
@@ -32,10 +32,11 @@ class RunFiles {
   void write_record(const char* status, const RunStatistics& statistics,
                     const std::string& message = "");
 
-  bool is_writing() const { return !options_.output.empty(); }
-  Index frames() const { return writer_ ? writer_->frames() : 0; }
   /// What the user should know.
   const std::vector<std::string>& notes() const { return record_.notes; }
+  const History& history() const { return history_.history(); }
+  bool is_writing() const { return !options_.output.empty(); }
+  Index frames() const { return writer_ ? writer_->frames() : 0; }
   /// Where the last frame is, as the end of a message; empty when there is none.
   std::string last_frame() const;
 
@@ -55,14 +56,17 @@ class RunFiles {
   const FrameSchedule& schedule_;
   std::optional<RunLock> lock_;
   RunRecord record_;
+  HistoryRecorder history_;
   std::optional<VtkhdfWriter> writer_;
   Index kept_frames_ = 0;  // those that a resumed run does not write again
+  double stepped_ = 0.0;   // s, of the last step seen
   std::chrono::steady_clock::time_point checkpointed_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point recorded_;
 };
 
-/// Files beside the frames: run.vtkhdf -> run.checkpoint, run.json.
+/// Files beside the frames: run.vtkhdf -> run.checkpoint, run.json, run.csv.
 std::filesystem::path checkpoint_path(const std::filesystem::path& output);
 std::filesystem::path record_path(const std::filesystem::path& output);
+std::filesystem::path history_path(const std::filesystem::path& output);
 
 }  // namespace lapilli

@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "lapilli/core/vector.hpp"
+#include "lapilli/core/probes.hpp"
 
 namespace lapilli {
 
@@ -18,20 +20,25 @@ struct Progress {
   Index points = 0;              //
   double seconds_elapsed = 0.0;  // of wall time
   double seconds_left = 0.0;     // of wall time, estimated; NaN while unknown
+  Index steps_taken = 0;         // since the start or the resume
 };
 
 /// How to run a simulation and what to leave on disk. Beside the frames `run.vtkhdf` come
-/// `run.checkpoint` and the record `run.json`.
+/// `run.checkpoint`, the record `run.json` and the history `run.csv`.
 struct RunOptions {
-  std::filesystem::path output;              // ends in .vtkhdf; empty: nothing is written
-  double frame_interval = 0.0;               // s between frames; 0: the first and the last only
-  Index frame_steps = 0;                     // steps between frames, instead of an interval
-  bool checkpoint = true;                    // keep a state to resume from
-  double checkpoint_interval_seconds = 0.0;  // s of wall time; 0: with every frame
-  bool resume = false;                       // go on from the checkpoint
-  std::string scene_text;                    // TOML, for the record
-  std::string settings;                      // all settings as a JSON object, for the record
-  std::string fingerprint;                   // of the scene; empty: taken from scene_text
+  std::filesystem::path output;                  // ends in .vtkhdf; empty: nothing is written
+  double frame_interval = 0.0;                   // s between frames; 0: the first and the last only
+  Index frame_steps = 0;                         // steps between frames, instead of an interval
+  std::vector<Probe> probes;                     // columns of the history
+  int bodies = std::numeric_limits<int>::max();  // those whose points the history is about
+  std::vector<std::pair<double, Index>> history;  // rows beside those of frames: s or steps
+  std::vector<std::string> notes;                 // for the record: allowed, seldom meant
+  bool checkpoint = true;                         // keep a state to resume from
+  double checkpoint_interval_seconds = 0.0;       // s of wall time; 0: with every frame
+  bool resume = false;                            // go on from the checkpoint
+  std::string scene_text;                         // TOML, for the record
+  std::string settings;                           // all settings as a JSON object, for the record
+  std::string fingerprint;                        // of the scene; empty: taken from scene_text
   std::string identity;  // lines "key<tab>value" that say what a resume must find the same
   std::vector<std::string> not_compared;          // settings that no resume can compare: functions
   std::function<void(const Progress&)> progress;  // at the start, ten times a second, at the end

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <ctime>
 
-#include "lapilli/core/diagnostics.hpp"
 #include "lapilli/core/parallel.hpp"
+#include "lapilli/core/snake_case.hpp"
+#include "lapilli/core/warnings.hpp"
 #include "lapilli/output/file.hpp"
 #include "lapilli/output/json.hpp"
 
@@ -87,49 +88,41 @@ void write_physics(JsonWriter& json, const Physics& physics) {
   json.end_array();
   json.key("diagnostics").begin_object();
   for (const auto& [name, value] : physics.diagnostics()) {
-    json.member(name, value);
+    json.member(snake_case(name), value);
   }
   json.end_object();
+  json.key("warnings").begin_array();
+  if (const auto* warner = dynamic_cast<const Warnings*>(&physics)) {
+    for (const std::string& warning : warner->warnings()) {
+      json.value(warning);
+    }
+  }
+  json.end_array();
   json.end_object();
 }
 
 void write_history(JsonWriter& json, const History& history) {
-  json.begin_object();
-  for (std::size_t column = 0; column <= history.names().size(); ++column) {
-    json.key(column == 0 ? "time" : history.names()[column - 1]).begin_array();
-    for (Index frame = 0; frame < history.frames(); ++frame) {
-      json.value(history.at(frame, column));
+  json.key("history").begin_object();
+  for (std::size_t column = 0; column <= history.columns().size(); ++column) {
+    json.key(column == 0 ? "time" : history.columns()[column - 1].name).begin_array();
+    for (Index row = 0; row < history.rows(); ++row) {
+      json.value(history.at(row, column));
     }
     json.end_array();
   }
   json.end_object();
+  json.key("history_columns").begin_array();
+  for (const Scalar& column : history.columns()) {
+    json.begin_object();
+    json.member("name", column.name);
+    json.member("unit", column.unit);
+    json.member("meaning", column.meaning);
+    json.end_object();
+  }
+  json.end_array();
 }
 
 }  // namespace
-
-void History::add(Simulation& simulation) {
-  const auto numbers = diagnostics_of(simulation);
-  names_.clear();
-  rows_.push_back(simulation.time());
-  for (const auto& [name, value] : numbers) {
-    names_.push_back(name);
-    rows_.push_back(value);
-  }
-}
-
-void History::cut(Index frames) {
-  rows_.resize(static_cast<std::size_t>(frames) * (names_.size() + 1), std::nan(""));
-}
-
-void History::save(Archive& archive) const { archive.write("run/history", rows_); }
-
-void History::load(const Archive& archive, Simulation& simulation) {
-  names_.clear();
-  for (const auto& [name, value] : diagnostics_of(simulation)) {
-    names_.push_back(name);
-  }
-  rows_ = archive.read_numbers("run/history");
-}
 
 void RunStatistics::count(const StepReport& report) {
   ++steps;
@@ -154,7 +147,7 @@ void RunStatistics::load(const Archive& archive) {
 }
 
 void write_run_record(const std::filesystem::path& path, const RunRecord& record,
-                      const Simulation& simulation) {
+                      const History& history, const Simulation& simulation) {
   JsonWriter json;
   json.begin_object();
   json.member("lapilli", LAPILLI_VERSION);
@@ -174,8 +167,12 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
     write_physics(json, *physics);
   }
   json.end_array();
-  json.key("history");
-  write_history(json, record.history);
+  json.key("notes").begin_array();
+  for (const std::string& note : record.notes) {
+    json.value(note);
+  }
+  json.end_array();
+  write_history(json, history);
   json.member("fingerprint", record.fingerprint);
   json.key("settings").json(record.settings.empty() ? "null" : record.settings);
   json.member("scene", record.scene_text);

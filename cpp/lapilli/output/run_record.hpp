@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lapilli/core/simulation.hpp"
+#include "lapilli/output/history.hpp"
 
 namespace lapilli {
 
@@ -25,27 +26,6 @@ struct RunStatistics {
   void load(const Archive& archive);
 };
 
-/// The numbers that each physics reports, at every frame.
-class History {
- public:
-  void add(Simulation& simulation);
-  /// Keep the first `frames`.
-  void cut(Index frames);
-  void save(Archive& archive) const;
-  void load(const Archive& archive, Simulation& simulation);
-
-  const std::vector<std::string>& names() const { return names_; }  // after the time
-  Index frames() const { return static_cast<Index>(rows_.size() / (names_.size() + 1)); }
-  /// Number `column` at `frame`; column 0 is the time.
-  double at(Index frame, std::size_t column) const {
-    return rows_[static_cast<std::size_t>(frame) * (names_.size() + 1) + column];
-  }
-
- private:
-  std::vector<std::string> names_;
-  std::vector<double> rows_;
-};
-
 /// Everything about a run that its frames do not say.
 struct RunRecord {
   std::string status;       // "running", "finished", "stopped", "failed"
@@ -58,15 +38,15 @@ struct RunRecord {
   std::string started;                    // UTC, "2001-02-03T04:05:06Z"
   std::string frames_file;
   Index frames = 0;
+  std::vector<std::string> notes;  // settings that are allowed and seldom meant
   RunStatistics statistics;
-  History history;
 };
 
 /// Write the record as JSON, all at once: the settings, version, compiler and threads, times and
-/// speed, peak memory of the process, and of each physics its ledgers and diagnostics, these
-/// at every frame too. Throws OutputError when the disk fails.
+/// speed, peak memory of the process, of each physics its ledgers and diagnostics, and the history
+/// of scalars. Throws OutputError when the disk fails.
 void write_run_record(const std::filesystem::path& path, const RunRecord& record,
-                      const Simulation& simulation);
+                      const History& history, const Simulation& simulation);
 
 /// The time now as text, in UTC.
 std::string utc_now();

@@ -1,10 +1,12 @@
 #include "lapilli/output/runner.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/step_refused.hpp"
+#include "lapilli/core/whole_steps.hpp"
 #include "lapilli/output/frame_schedule.hpp"
 #include "lapilli/output/run_files.hpp"
 
@@ -21,7 +23,10 @@ double seconds_since(Clock::time_point begin) {
 class ProgressReport {
  public:
   ProgressReport(const Simulation& simulation, const std::function<void(const Progress&)>& tell)
-      : simulation_(simulation), tell_(tell), first_fraction_(fraction()) {}
+      : simulation_(simulation),
+        tell_(tell),
+        first_fraction_(fraction()),
+        first_step_(simulation.step_index()) {}
 
   void tell(double step_size, bool always) {
     if (!tell_ || (!always && seconds_since(told_) < 0.1)) {
@@ -31,7 +36,8 @@ class ProgressReport {
     const double elapsed = seconds_since(begin_), done = fraction();
     const double left = elapsed * (1.0 - done) / (done - first_fraction_);
     tell_({done, simulation_.time(), step_size, simulation_.step_index(),
-           simulation_.points().size(), elapsed, done > first_fraction_ ? left : std::nan("")});
+           simulation_.points().size(), elapsed, done > first_fraction_ ? left : std::nan(""),
+           simulation_.step_index() - first_step_});
   }
 
  private:
@@ -42,6 +48,7 @@ class ProgressReport {
   const Simulation& simulation_;
   const std::function<void(const Progress&)>& tell_;
   double first_fraction_;
+  Index first_step_;
   Clock::time_point begin_ = Clock::now(), told_ = begin_;
 };
 
@@ -60,6 +67,22 @@ class Measure {
   double cpu_ = cpu_seconds();
 };
 
+/// Where the next step may end at the latest: at the next frame, or where the physics keeps its
+/// steps whole at the first frame after the step.
+double end_of_step(const Simulation& simulation, const FrameSchedule& schedule) {
+  double until = schedule.next_time(simulation.time());
+  const auto& all = simulation.physics();
+  if (std::any_of(all.begin(), all.end(), [](const auto& physics) {
+        return dynamic_cast<const WholeSteps*>(physics.get()) != nullptr;
+      })) {
+    const double whole = simulation.next_step_size() * (1.0 - 1e-6);
+    while (until < simulation.end() && until - simulation.time() < whole) {
+      until = schedule.next_time(until);
+    }
+  }
+  return until;
+}
+
 RunStatus step_to_end(Simulation& simulation, const RunOptions& options,
                       const FrameSchedule& schedule, RunFiles& files, RunStatistics& statistics) {
   ProgressReport progress(simulation, options.progress);
@@ -67,7 +90,7 @@ RunStatus step_to_end(Simulation& simulation, const RunOptions& options,
   progress.tell(size, true);
   RunStatus status = RunStatus::finished;
   while (simulation.time() < simulation.end()) {
-    const StepReport report = simulation.step(schedule.next_time(simulation.time()), false);
+    const StepReport report = simulation.step(end_of_step(simulation, schedule), false);
     size = report.accepted;
     statistics.count(report);
     files.after_step(statistics);
@@ -80,6 +103,13 @@ RunStatus step_to_end(Simulation& simulation, const RunOptions& options,
   files.stop(statistics);
   progress.tell(size, true);
   return status;
+}
+
+void require_closed_balances(const Simulation& simulation) {
+  const std::string wrong = open_balances(simulation.ledgers());
+  if (!wrong.empty()) {
+    throw RunError("at the end: " + wrong);
+  }
 }
 
 /// Record a failure; a disk that fails here too must not hide the reason of the first failure.
@@ -99,13 +129,17 @@ RunSummary run(Simulation& simulation, const RunOptions& options) {
   Measure measure;
   if (options.resume) {
     files.resume(measure.now());
-  } else if (files.is_writing()) {
+  } else {
     files.begin();
   }
   try {
     const RunStatus status = step_to_end(simulation, options, schedule, files, measure.now());
+    if (status == RunStatus::finished) {
+      require_closed_balances(simulation);
+    }
     files.write_record(status == RunStatus::finished ? "finished" : "stopped", measure.now());
-    return {status, simulation.time(), files.frames(), measure.now(), files.notes()};
+    return {status,        simulation.time(), files.frames(),
+            measure.now(), files.notes(),     files.history()};
   } catch (const StepRefused& error) {
     files.stop(measure.now());
     const std::string reason = error.what() + files.last_frame();

@@ -13,7 +13,8 @@ struct RunSummary {
   double time = 0.0;  // s, simulated
   Index frames = 0;   // on disk
   RunStatistics statistics;
-  std::vector<std::string> notes;  // what the user should know: which checkpoint was taken and why
+  std::vector<std::string> notes;  // what the user should know
+  History history;
 };
 
 /// Run a simulation to its end; the one run loop that the executable and Python share.

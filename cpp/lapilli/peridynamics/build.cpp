@@ -46,14 +46,14 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
   double horizon = 0.0;
   if (scene.heat) {
     const CheckRanges ranges{"heat"};
-    check_horizon("thermal", scene.heat->horizon, scene.spacing);
+    check_horizon("thermal", scene.heat->widest_horizon(), scene.spacing);
     PeridynamicHeatSettings::describe(*scene.heat, ranges);
     check(fluid.thermal);
     require(fluid.thermal.conductivity.is_scalar(),
             "peridynamic heat conducts alike in all directions: give conductivity as a number");
     require(!scene.heat->dissipation || scene.flow,
             "heat.dissipation needs a flow; this scene has none");
-    horizon = scene.heat->horizon * scene.spacing;
+    horizon = scene.heat->widest_horizon() * scene.spacing;
   }
   if (scene.flow) {
     const CheckRanges ranges{"flow"};
@@ -72,7 +72,8 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
     check(wall.settings, points.dimension());
   }
 
-  auto walls = std::make_shared<WallSurface>(points, scene.walls, scene.region, scene.spacing);
+  auto walls = std::make_shared<WallSurface>(points, scene.walls, scene.region, scene.spacing,
+                                             scene.wall_shapes);
   walls->require_thickness(horizon);
   if (scene.flow) {
     walls->require_closed(scene.region);
@@ -80,7 +81,8 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
   std::vector<std::unique_ptr<Physics>> physics;
   PeridynamicHeat* heat = nullptr;
   if (scene.heat) {
-    auto made = std::make_unique<PeridynamicHeat>(points, walls, *scene.heat, fluid);
+    auto made = std::make_unique<PeridynamicHeat>(points, walls, *scene.heat, fluid,
+                                                  scene.flow.has_value());
     heat = made.get();
     physics.push_back(std::move(made));
   }

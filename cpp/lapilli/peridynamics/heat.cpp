@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
@@ -14,12 +15,13 @@ constexpr Index stiffest_every = 16;  // steps
 }  // namespace
 
 PeridynamicHeat::PeridynamicHeat(Points& points, std::shared_ptr<WallSurface> walls,
-                                 const PeridynamicHeatSettings& settings, const Fluid& fluid)
+                                 const PeridynamicHeatSettings& settings, const Fluid& fluid,
+                                 bool points_move)
     : points_(points),
       walls_(std::move(walls)),
       settings_(settings),
       fluid_(fluid),
-      exchange_(make_heat_exchange(points, *walls_, settings, fluid.conductivity())),
+      exchange_(make_heat_exchange(points, *walls_, settings, fluid.conductivity(), points_move)),
       temperature_(points, 1),
       capacity_(points, 1),
       rate_(points, 1),
@@ -176,6 +178,18 @@ double PeridynamicHeat::stored() const {
   return parallel_sum(points_.size(), 0.0, [&](Index i) { return capacity_[i] * temperature_[i]; });
 }
 
+double PeridynamicHeat::span() const {
+  double low = std::numeric_limits<double>::infinity(), high = -low, capacity = 0.0;
+  for (Index i = 0; i < points_.size(); ++i) {
+    if (capacity_[i] > 0.0) {
+      capacity += capacity_[i];
+      low = std::min(low, temperature_[i]);
+      high = std::max(high, temperature_[i]);
+    }
+  }
+  return capacity > 0.0 ? capacity * (high - low) : 0.0;
+}
+
 void PeridynamicHeat::refresh_output() {
   exchange_->refresh();
   exchange_->wall_rows(temperature_.data(), surface_, wall_heat_flux_.data(), met_area_.data());
@@ -190,7 +204,7 @@ std::vector<Field> PeridynamicHeat::fields() {
 std::vector<Ledger> PeridynamicHeat::ledgers() const {
   const double now = stored();
   const double before = started_ ? initial_ : now;
-  Ledger ledger{"heat", "J", before, now, {}, std::max(std::abs(before), std::abs(now))};
+  Ledger ledger{"heat", "J", before, now, {}, span(), 1e-6};
   for (std::size_t k = 0; k < from_walls_.size(); ++k) {
     ledger.entries.push_back({message("wall ", walls_->walls()[k].settings.name), taken_in_[k]});
   }
@@ -230,11 +244,10 @@ std::vector<std::pair<std::string, double>> PeridynamicHeat::diagnostics() const
   std::vector<std::pair<std::string, double>> numbers;
   for (std::size_t k = 0; k < from_walls_.size(); ++k) {
     if (walls_->walls()[k].settings.heat != WallHeat::adiabatic) {
-      numbers.emplace_back(message("heat flow from wall ", walls_->walls()[k].settings.name),
-                           from_walls_[k]);
+      numbers.emplace_back(message("heat_flow_from_wall_", walls_->walls()[k].settings.name), from_walls_[k]);
     }
   }
-  numbers.emplace_back("imbalance of heat bonds", exchange_->imbalance());
+  numbers.emplace_back("bond_imbalance", exchange_->imbalance());
   return numbers;
 }
 

@@ -20,7 +20,7 @@ namespace lapilli {
 class PeridynamicHeat final : public Physics {
  public:
   PeridynamicHeat(Points& points, std::shared_ptr<WallSurface> walls,
-                  const PeridynamicHeatSettings& settings, const Fluid& fluid);
+                  const PeridynamicHeatSettings& settings, const Fluid& fluid, bool points_move);
 
   /// Viscous work per volume and time, W/m^3, that a flow gives; nullptr: none.
   void heat_by(const PointArray* dissipation) { dissipation_ = dissipation; }
@@ -55,6 +55,7 @@ class PeridynamicHeat final : public Physics {
   void add_dissipation();
   void update_points(const Step& step);
   double stored() const;
+  double span() const;  // J, capacity x range of the temperatures
 
   Points& points_;
   std::shared_ptr<WallSurface> walls_;

@@ -46,9 +46,10 @@ class HeatExchange {
   virtual void load(const Archive& archive) = 0;
 };
 
-/// The exchange that `settings.laplacian` asks for; `conductivity` in W/(m K).
+/// The exchange that `settings.laplacian` asks for; `conductivity` in W/(m K). Points that never
+/// move are told to.
 std::unique_ptr<HeatExchange> make_heat_exchange(Points& points, const WallSurface& walls,
                                                  const PeridynamicHeatSettings& settings,
-                                                 double conductivity);
+                                                 double conductivity, bool points_move);
 
 }  // namespace lapilli

@@ -12,7 +12,7 @@ enum class Laplacian {
   literal,      // the paper's: gradient, then divergence (two fields); leaves saw teeth undamped
   zero_energy,  // literal, and the part of a bond difference that the gradients do not explain
   compact,      // bond differences with the constant of a full lattice
-  corrected     // bond differences that keep linear fields, also near walls
+  corrected     // bond differences that keep linear fields, at walls and open sides too
 };
 
 template <>
@@ -26,7 +26,7 @@ struct Names<Laplacian> {
 
 /// Heat conduction on the thermal horizon.
 struct PeridynamicHeatSettings {
-  double horizon = 1.515;  // in spacings
+  double horizon = 0.0;  // in spacings; 0: see widest_horizon and ConductionAtRest
   Influence influence = Influence::gaussian;
   Laplacian laplacian = Laplacian::corrected;
   double zero_energy = 0.5;   // coefficient of the zero-energy term
@@ -34,9 +34,15 @@ struct PeridynamicHeatSettings {
   double skin = 0.3;          // in spacings; families are searched again after half of it
   double step_factor = 0.25;  // of spacing^2 / (dimension diffusivity)
 
+  /// In spacings: the horizon that is given, otherwise the longest that is chosen.
+  double widest_horizon() const { return horizon > 0.0 ? horizon : 1.515; }
+
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("horizon").range(1.0, 10.0, true).text("thermal horizon, in spacings"), self.horizon);
+    visit(Key("horizon").range(0.0, 10.0).text(
+              "thermal horizon, in spacings, above 1; 0: 1.2 for points at rest on a lattice "
+              "that their surface follows, otherwise 1.515"),
+          self.horizon);
     visit(Key("influence").text("weight of a bond by its length"), self.influence);
     visit(Key("laplacian").text("how conduction is formed from bonds"), self.laplacian);
     visit(Key("zero_energy").non_negative().text("coefficient of the zero-energy term"),

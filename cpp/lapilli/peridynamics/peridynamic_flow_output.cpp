@@ -21,9 +21,9 @@ template <int Dim>
 std::vector<std::pair<std::string, double>> PeridynamicFlow<Dim>::diagnostics() const {
   const auto [low, high] = density_variation();
   return {
-      {"velocity noise", velocity_noise()}, {"least density variation", low},
-      {"greatest density variation", high}, {"smallest spacing", smallest_spacing()},
-      {"sound speed", sound_speed_},        {"family searches", static_cast<double>(searches())}};
+      {"velocity_noise", velocity_noise()}, {"least_density_variation", low},
+      {"greatest_density_variation", high}, {"smallest_spacing", smallest_spacing()},
+      {"sound_speed", sound_speed_},        {"family_searches", static_cast<double>(searches())}};
 }
 
 template <int Dim>

@@ -29,14 +29,13 @@ TwoFieldConduction<Dim>::TwoFieldConduction(Points& points, const WallSurface& w
       walls_(walls),
       settings_(settings),
       conductivity_(conductivity),
-      weight_{settings.influence, settings.horizon * walls.spacing(), walls.spacing(), true},
+      weight_{settings.influence, settings.widest_horizon() * walls.spacing(), walls.spacing(),
+              true},
       families_(points, weight_.horizon, settings.skin * walls.spacing(), roles_of(walls)) {
   for (const Wall& wall : walls.walls()) {
-    require(
-        wall.settings.heat == WallHeat::temperature || wall.settings.heat == WallHeat::adiabatic,
-        "wall '", wall.settings.name, "' has ", name_of(wall.settings.heat),
-        ", which the laplacian '", name_of(settings.laplacian),
-        "' does not know; take compact or corrected");
+    require(wall.settings.heat != WallHeat::convection, "wall '", wall.settings.name, "' has ",
+            name_of(wall.settings.heat), ", which the laplacian '", name_of(settings.laplacian),
+            "' does not know; take compact or corrected");
   }
 }
 
@@ -50,13 +49,51 @@ void TwoFieldConduction<Dim>::update() {
   for (Index i = 0; i < points_.size(); ++i) {
     const int wall = walls_.wall(i);
     const bool takes_part =
-        wall < 0 || (walls_.walls()[wall].settings.heat != WallHeat::adiabatic && first_layer(i));
+        wall < 0 || (walls_.walls()[wall].settings.heat == WallHeat::temperature && first_layer(i));
     volume_[i] = takes_part ? points_.volume()[i] : 0.0;
   }
   // Next to walls a point that moves, or sees others move, may have few neighbours left.
   operators_.emplace(points_, families_, weight_, volume_, [](Index) { return true; });
+  share_fluxes();
   version_ = points_.version();
   ordering_ = points_.ordering();
+}
+
+template <int Dim>
+void TwoFieldConduction<Dim>::share_fluxes() {
+  const double spacing = walls_.spacing();
+  const auto each_in_front = [&](const auto& visit) {
+    for (Index i = 0; i < points_.size(); ++i) {
+      for (Index bond = families_.wall_begin(i); walls_.wall(i) < 0 && bond < families_.end(i);
+           ++bond) {
+        const Index j = families_.neighbour(bond);
+        if (!prescribes_flux(j) || !first_layer(j)) {
+          continue;
+        }
+        const Vec<Dim> y = points_.position<Dim>(i) - points_.position<Dim>(j);
+        const double ahead = Eigen::Map<const Vec<Dim>>(walls_.normal(j)).dot(y);
+        const double aside = std::sqrt(std::max(0.0, y.squaredNorm() - ahead * ahead)) / spacing;
+        if (aside < 0.75 && ahead > 0.0 && ahead - walls_.depth(j) < spacing) {
+          visit(i, j, 1.0 - aside / 0.75);
+        }
+      }
+    }
+  };
+  std::vector<double> all(static_cast<std::size_t>(points_.size()), 0.0);
+  each_in_front([&](Index, Index j, double weight) { all[j] += weight; });
+  std::vector<double> area(walls_.walls().size(), 0.0);
+  flux_shares_.clear();
+  each_in_front([&](Index i, Index j, double weight) {
+    const double share = weight / all[j] * points_.volume()[j] / spacing;
+    flux_shares_.push_back({static_cast<std::int32_t>(i), walls_.wall(j), share});
+    area[walls_.wall(j)] += share;
+  });
+  if (flux_area_.empty()) {
+    flux_area_ = area;
+  }
+  for (FluxShare& one : flux_shares_) {
+    one.area *= flux_area_[one.wall] / area[one.wall];
+  }
 }
 
 template <int Dim>
@@ -106,6 +143,11 @@ void TwoFieldConduction<Dim>::rates(const double* temperature,
       }
     }
   }
+  for (const FluxShare& one : flux_shares_) {
+    const double heat = one.area * surface[one.wall].flux;
+    rate[one.point] += heat;
+    from_walls[one.wall] += heat;
+  }
 }
 
 template <int Dim>
@@ -135,10 +177,18 @@ void TwoFieldConduction<Dim>::wall_rows(const double* temperature,
       area[i] = points_.volume()[i] / walls_.spacing();
     }
   });
+  for (const FluxShare& one : flux_shares_) {
+    const double met = area[one.point] + one.area;
+    flux[one.point] = (flux[one.point] * area[one.point] + one.area * surface[one.wall].flux) / met;
+    area[one.point] = met;
+  }
 }
 
 template <int Dim>
 double TwoFieldConduction<Dim>::wall_area(int wall) const {
+  if (walls_.walls()[wall].settings.heat == WallHeat::flux) {
+    return flux_area_[static_cast<std::size_t>(wall)];
+  }
   double area = 0.0;
   std::vector<char> met(static_cast<std::size_t>(points_.size()), 0);
   for (Index i = 0; i < points_.size(); ++i) {
@@ -181,8 +231,16 @@ double TwoFieldConduction<Dim>::imbalance() const {
 }
 
 template <int Dim>
+void TwoFieldConduction<Dim>::save(Archive& archive) const {
+  families_.save(archive, "heat/families");
+  archive.write("heat/flux_area", flux_area_);
+}
+
+template <int Dim>
 void TwoFieldConduction<Dim>::load(const Archive& archive) {
   families_.load(archive, "heat/families");
+  flux_area_.resize(walls_.walls().size());
+  archive.read("heat/flux_area", flux_area_);
   version_ = -1;
 }
 

@@ -14,12 +14,14 @@ namespace lapilli {
 ///
 /// Without that term the alternating field has no gradient and is not smoothed; kept for
 /// comparison. Walls with a temperature take part with their first layer, which holds that
-/// temperature; adiabatic walls not at all. Walls that prescribe a flux are refused: with the flux
-/// set at their points a fluid point gains its own flux as well, and 2.2 times the heat comes in.
+/// temperature; adiabatic walls not at all. A prescribed flux (section 4.3) is handed to the fluid
+/// points in front of each wall point, times its share of the wall's area, whose sum stays that of
+/// the start: set as the flux of the wall's own points it would bring in 2.2 times its heat, since
+/// a fluid point gains its own flux as well.
 template <int Dim>
 class TwoFieldConduction final : public HeatExchange {
  public:
-  /// Throws std::invalid_argument for a wall with a flux or convection.
+  /// Throws std::invalid_argument for a wall with convection.
   TwoFieldConduction(Points& points, const WallSurface& walls,
                      const PeridynamicHeatSettings& settings, double conductivity);
 
@@ -32,10 +34,21 @@ class TwoFieldConduction final : public HeatExchange {
                  double* area) const override;
   double wall_area(int wall) const override;
   double imbalance() const override;
-  void save(Archive& archive) const override { families_.save(archive, "heat/families"); }
+  void save(Archive& archive) const override;
   void load(const Archive& archive) override;
 
  private:
+  /// A fluid point in front of a wall that prescribes a flux.
+  struct FluxShare {
+    std::int32_t point;
+    int wall;
+    double area;  // m^(Dim-1)
+  };
+
+  void share_fluxes();
+  bool prescribes_flux(Index wall_point) const {
+    return walls_.walls()[walls_.wall(wall_point)].settings.heat == WallHeat::flux;
+  }
   bool first_layer(Index point) const { return walls_.depth(point) < 0.99 * walls_.spacing(); }
 
   Points& points_;
@@ -46,6 +59,8 @@ class TwoFieldConduction final : public HeatExchange {
   Families families_;
   std::optional<NonlocalOperators<Dim>> operators_;
   std::vector<double> volume_;
+  std::vector<FluxShare> flux_shares_;
+  std::vector<double> flux_area_;  // of each wall, at the start
   Index version_ = -1, ordering_ = -1;
 };
 

@@ -5,13 +5,10 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/cell_list.hpp"
+#include "lapilli/geometry/checks.hpp"
 
 namespace lapilli {
 namespace {
-
-std::string text_of(const Vec3& place) {
-  return message("(", place[0], ", ", place[1], ", ", place[2], ")");
-}
 
 /// Gradient of a distance, by differences over a short way.
 Vec3 slope(const FluidDistance& distance, const Vec3& at, int dimension, double spacing) {
@@ -29,12 +26,14 @@ Vec3 slope(const FluidDistance& distance, const Vec3& at, int dimension, double 
 }  // namespace
 
 WallSurface::WallSurface(Points& points, std::vector<Wall> walls, const FluidDistance& distance,
-                         double spacing)
+                         double spacing, std::vector<FluidDistance> shapes)
     : points_(points),
       walls_(std::move(walls)),
       spacing_(spacing),
       depth_(points, 1),
-      normal_(points, points.dimension()) {
+      normal_(points, points.dimension()),
+      region_(distance),
+      shapes_(std::move(shapes)) {
   Index bodies = 0;
   for (const Index body : points.body()) {
     bodies = std::max(bodies, body + 1);
@@ -73,6 +72,32 @@ WallSurface::WallSurface(Points& points, std::vector<Wall> walls, const FluidDis
       normal_[point * points.dimension() + d] = -gradient[d] / length;
     }
   }
+  if (shapes_.empty() && !walls_.empty()) {
+    near_ = std::make_unique<CellList>(points.position(), points.dimension(), spacing);
+  }
+}
+
+int WallSurface::wall_at(const Vec3& place, const Vec3& normal) const {
+  for (const double ahead : {1e-3, 0.1, 0.25, 0.5, 0.75}) {
+    const Vec3 there = place + ahead * spacing_ * normal;
+    for (std::size_t k = 0; k < shapes_.size(); ++k) {
+      if (shapes_[k](there) <= 0.0) {
+        return static_cast<int>(k);
+      }
+    }
+  }
+  int found = -1;
+  if (near_) {
+    double nearest = 1e300;
+    near_->each_within(place + 0.5 * spacing_ * normal, 0.8 * spacing_,
+                       [&](Index other, double squared) {
+                         if (wall(other) >= 0 && squared < nearest) {
+                           nearest = squared;
+                           found = wall(other);
+                         }
+                       });
+  }
+  return found;
 }
 
 Vec3 WallSurface::place(Index point) const {

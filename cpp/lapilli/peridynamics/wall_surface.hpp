@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "lapilli/core/points.hpp"
+#include "lapilli/geometry/cell_list.hpp"
 #include "lapilli/peridynamics/wall_settings.hpp"
 
 namespace lapilli {
@@ -23,8 +25,10 @@ class WallSurface {
  public:
   /// Points of bodies that are no wall are fluid. Throws std::invalid_argument when a wall point
   /// lies in the fluid, a fluid point in a wall, or a body number occurs twice.
+  /// `shapes`, one a wall or none at all, are signed distances from the walls, m, negative inside;
+  /// without them walls are known by their points alone.
   WallSurface(Points& points, std::vector<Wall> walls, const FluidDistance& distance,
-              double spacing);
+              double spacing, std::vector<FluidDistance> shapes = {});
 
   const std::vector<Wall>& walls() const { return walls_; }
   /// Which wall a point belongs to; -1: fluid.
@@ -52,6 +56,13 @@ class WallSurface {
     return along;
   }
 
+  /// Signed distance from the region of the fluid, m; empty where it was not given.
+  const FluidDistance& region() const { return region_; }
+  /// The wall that the fluid's surface meets at `place`, where `normal` points out of the fluid:
+  /// the first one in front of it within 3/4 of a spacing; -1: none. Walls without a shape are told
+  /// by their nearest point.
+  int wall_at(const Vec3& place, const Vec3& normal) const;
+
   /// Throws std::invalid_argument, naming the thinnest place, unless the walls fill what a fluid
   /// point one spacing off their surface can feel within `horizon` (m).
   void require_thickness(double horizon) const;
@@ -68,6 +79,9 @@ class WallSurface {
   std::vector<int> wall_of_body_;
   double spacing_;
   PointArray depth_, normal_;
+  FluidDistance region_;
+  std::vector<FluidDistance> shapes_;
+  std::unique_ptr<CellList> near_;  // all points, where walls have no shapes
 };
 
 }  // namespace lapilli

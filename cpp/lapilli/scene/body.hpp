@@ -22,6 +22,16 @@ namespace lapilli {
 using Material =
     std::variant<Thermal, LinearElastic, Newtonian, MohrCoulomb, ThermalExpansion, PlasticHeating>;
 
+/// How a shape is filled with points: each with the volume and the centroid of its part of the
+/// shape, or whole boxes of a lattice whose middles lie inside, as in the papers.
+enum class Filling { exact, lattice };
+
+template <>
+struct Names<Filling> {
+  static constexpr std::pair<Filling, const char*> values[] = {{Filling::exact, "exact"},
+                                                               {Filling::lattice, "lattice"}};
+};
+
 /// Points handed over by a program; no file holds them.
 struct GivenPoints {
   std::vector<double> positions;  // m, rows x dimension
@@ -36,7 +46,7 @@ struct Body {
   std::string points_file;                        // text rows: coordinates, volume
   std::optional<GivenPoints> points;              // from a program only
   std::optional<int> points_per_cell;             // automatic: two along each axis
-  bool clip = false;                              // cut boundary points to the shape
+  std::optional<Filling> fill;                    // automatic: see is_filled_exactly
   double jitter = 0.0;                            // of the points' spacing
   bool random = false;                            // anywhere in their cell instead of a lattice
   Index seed = 1;                                 // of jitter and random
@@ -63,7 +73,11 @@ struct Body {
               .absent("auto")
               .text("points in a full cell, the same number along each axis"),
           self.points_per_cell);
-    visit(Key("clip").text("cut the volume of boundary points to the shape"), self.clip);
+    visit(Key("fill").absent("auto").text(
+              "points with the volume of their part of the shape, or whole boxes of a lattice; "
+              "automatic: lattice in peridynamic flow and under conditions on the surface of gimp "
+              "points that may move, otherwise exact"),
+          self.fill);
     visit(Key("jitter").range(0.0, 0.5).text("random displacement, in spacings of the points"),
           self.jitter);
     visit(Key("random").text("points anywhere in the shape instead of on a lattice"), self.random);

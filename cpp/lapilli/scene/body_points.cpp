@@ -2,16 +2,19 @@
 
 #include <cmath>
 
+#include "lapilli/geometry/cell_fill.hpp"
 #include "lapilli/geometry/checks.hpp"
+#include "lapilli/geometry/join_small.hpp"
 #include "lapilli/geometry/sources.hpp"
-#include "lapilli/mpm/quasi_static/cut_fill.hpp"
+#include "lapilli/geometry/support.hpp"
+#include "lapilli/scene/build_peridynamics.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/scene_file.hpp"
 
 namespace lapilli {
 namespace {
 
-std::string body_path(std::size_t index) { return message("bodies.", index); }
+std::string body_path(std::size_t index) { return element_path("bodies", index); }
 
 int points_along_axis(const Body& body, int dimension) {
   return body.points_per_cell ? points_per_axis(*body.points_per_cell, dimension) : 2;
@@ -20,25 +23,62 @@ int points_along_axis(const Body& body, int dimension) {
 /// Implicit solvers want points that integrate cut cells exactly: the shape is filled where it
 /// stands, cell by cell of the grid.
 bool is_filled_in_place(const Scene& scene, const Body& body) {
-  return scene.quasi_static && body.clip && body.shape;
+  return scene.quasi_static && body.shape && is_filled_exactly(scene, body) && !body.random &&
+         body.jitter == 0.0;
+}
+
+Vec3 extent(const Bounds& box, int dimension) {
+  Vec3 size = Vec3::Zero();
+  for (int axis = 0; axis < dimension; ++axis) {
+    size[axis] = box.upper[axis] - box.lower[axis];
+  }
+  return size;
+}
+
+std::string size_hint(const Shape& shape, const Vec3& size, const Vec3& grid) {
+  const bool holds_mesh = std::holds_alternative<Mesh>(shape);
+  const bool fits_in_millimetres = (1e-3 * size.array() <= grid.array()).all();
+  return holds_mesh && fits_in_millimetres ? "; is it in millimetres? scale = 0.001" : "";
+}
+
+/// Before any point is made: where the shape stands and how large it is, for shapes whose bounds
+/// are exact.
+void require_shape_in_grid(const Scene& scene, const Body& body) {
+  const int dimension = dimension_of(scene);
+  check(*body.shape, dimension);
+  const TightBounds there = tight_bounds(*placed_shape(body));
+  const Bounds grid = grid_bounds(scene);
+  const double slack = 1e-6 * scene.grid.cell;
+  bool inside = true;
+  for (int axis = 0; axis < dimension; ++axis) {
+    const double lower = there.box.lower[axis], upper = there.box.upper[axis];
+    inside &= std::isinf(lower) || lower >= grid.lower[axis] - slack;
+    inside &= std::isinf(upper) || upper <= grid.upper[axis] + slack;
+  }
+  require(
+      inside || !there.is_tight, "reaches out of the grid: its ", kind_of(*body.shape), " spans ",
+      text_of(there.box.lower, dimension), " to ", text_of(there.box.upper, dimension),
+      " m, the grid ", text_of(scene.grid.lower), " to ", text_of(scene.grid.upper), " m",
+      inside ? "" : size_hint(*body.shape, extent(there.box, dimension), extent(grid, dimension)));
 }
 
 FilledPoints filled_shape(const Scene& scene, const Body& body) {
   const int dimension = dimension_of(scene);
-  Lattice lattice;
-  lattice.lower = place(scene.grid.lower);
-  lattice.cell = scene.grid.cell;
-  lattice.points_per_axis = points_along_axis(body, dimension);
+  auto [lattice, options] = lattice_of(scene, body);
   if (is_filled_in_place(scene, body)) {
-    return fill_exactly(*placed_shape(body), lattice, dimension);
+    const Vec3 margin = Vec3::Constant(scene.grid.cell);
+    options.reach = {options.within.lower - margin, options.within.upper + margin};
+    return fill_cells(*placed_shape(body), lattice, options, dimension);
   }
-  FillOptions options;
-  options.clip = body.clip;
+  options.clip = is_filled_exactly(scene, body) && !body.random;
   options.jitter = body.jitter;
   options.random = body.random;
   options.seed = static_cast<std::uint64_t>(body.seed);
-  options.within = grid_bounds(scene);
-  return fill(*body.shape, lattice, options, dimension);
+  FilledPoints points = fill(*body.shape, lattice, options, dimension);
+  if (options.clip && body.jitter == 0.0 && conducts_at_rest(scene)) {
+    join_small(points, 0.5);  // explicit steps are limited by the smallest
+  }
+  return points;
 }
 
 FilledPoints given_points(const Scene& scene, const Body& body) {
@@ -72,6 +112,9 @@ FilledPoints points_of(const Scene& scene, const Body& body) {
   const int sources = body.shape.has_value() + body.points.has_value() + has_file;
   require(sources > 0, "has no points: give a shape, points_file or points");
   require(sources == 1, "has several sources of points: give shape, points_file or points");
+  if (body.shape) {
+    require_shape_in_grid(scene, body);
+  }
   return body.shape ? filled_shape(scene, body)
          : has_file ? points_of_file(scene, body)
                     : given_points(scene, body);
@@ -135,9 +178,11 @@ void require_apart(const Scene& scene, const std::vector<FilledPoints>& filled) 
         const double depth = 0.26 * filled[other].spacing;
         const bool near =
             (at.array() >= box.lower.array()).all() && (at.array() <= box.upper.array()).all();
-        require_at(!near || distance(*shape, at) > -depth, scene, body_path(other),
-                   "overlaps body ", k, ": its point at ", text_of(at, filled[other].dimension),
-                   " lies in both; cut one of them with a difference");
+        if (near && distance(*shape, at) <= -depth) {
+          require_at(false, scene, body_path(other), "overlaps body ", k, ": its point at ",
+                     text_of(at, filled[other].dimension),
+                     " lies in both; cut one of them with a difference");
+        }
       }
     }
   }
@@ -169,6 +214,35 @@ std::optional<Shape> placed_shape(const Body& body) {
   moved.shape = Shape(turned);
   moved.by = body.translation;
   return Shape(moved);
+}
+
+BodyLattice lattice_of(const Scene& scene, const Body& body) {
+  BodyLattice all;
+  all.lattice.lower = place(scene.grid.lower);
+  all.lattice.cell = scene.grid.cell;
+  all.lattice.points_per_axis = points_along_axis(body, dimension_of(scene));
+  all.options.within = grid_bounds(scene);
+  if (body.rotation == 0.0) {
+    // Enough to see that a body reaches out of the grid.
+    const Vec3 by = place(body.translation), margin = Vec3::Constant(scene.grid.cell);
+    all.options.reach = {all.options.within.lower - by - margin,
+                         all.options.within.upper - by + margin};
+  }
+  return all;
+}
+
+bool is_filled_exactly(const Scene& scene, const Body& body) {
+  if (body.fill) {
+    return *body.fill == Filling::exact;
+  }
+  // The boxes of GIMP points keep their full width: around the centroids of pieces they no longer
+  // tile the body, and fluxes and pressures on its surface stop converging (by .7 % of its area).
+  const bool boxes_tile = scene.quasi_static || scene.grid.shape_function != ShapeFunction::gimp;
+  const bool moves = scene.momentum || body.motion;
+  const bool has_conditions =
+      moves && ((scene.heat && !scene.heat->boundaries.empty()) ||
+                (scene.momentum && !scene.momentum->boundaries.empty()));
+  return scene.peridynamics ? conducts_at_rest(scene) : boxes_tile || !has_conditions;
 }
 
 std::vector<FilledPoints> fill_bodies(const Scene& scene) {

@@ -18,6 +18,16 @@ Bounds grid_bounds(const Scene& scene);
 /// not given by a shape.
 std::optional<Shape> placed_shape(const Body& body);
 
+/// The lattice that fills a body in the frame of its shape, and how far it may reach.
+struct BodyLattice {
+  Lattice lattice;
+  FillOptions options;
+};
+BodyLattice lattice_of(const Scene& scene, const Body& body);
+
+/// Whether the points of a body carry the volumes of their parts of its shape.
+bool is_filled_exactly(const Scene& scene, const Body& body);
+
 /// The points of every body, turned and moved to their places. Throws std::invalid_argument with
 /// the place in the scene file for bodies that are empty, reach out of the grid or overlap.
 std::vector<FilledPoints> fill_bodies(const Scene& scene);

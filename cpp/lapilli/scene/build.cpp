@@ -6,6 +6,7 @@
 #include "lapilli/core/memory.hpp"
 #include "lapilli/geometry/checks.hpp"
 #include "lapilli/geometry/combine.hpp"
+#include "lapilli/mpm/heat/heat_in_body_frame.hpp"
 #include "lapilli/mpm/heat/heat_on_points.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/momentum/momentum.hpp"
@@ -17,6 +18,7 @@
 #include "lapilli/scene/memory.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/resolve_files.hpp"
+#include "lapilli/scene/run_scene.hpp"
 #include "lapilli/scene/validate.hpp"
 
 namespace lapilli {
@@ -77,6 +79,16 @@ double half_width_of(const Scene& scene, const FilledPoints& filled) {
   return std::min(0.5, 0.5 * filled.spacing / scene.grid.cell);
 }
 
+// The one prescribed motion that all bodies share; none where they do not, or nothing moves.
+std::optional<Motion> common_motion(const Scene& scene) {
+  const std::optional<Motion>& first = scene.bodies.front().motion;
+  const bool shared = first && !scene.momentum && is_rigid(*first) &&
+                      std::all_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
+                        return body.motion && is_same(*body.motion, *first);
+                      });
+  return shared ? first : std::nullopt;
+}
+
 template <int Dim>
 std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
                                  const std::vector<FilledPoints>& filled, Points& points) {
@@ -89,23 +101,31 @@ std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
           wall);
     }
   }
+  problem.frame = common_motion(scene);
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const Body& body = scene.bodies[k];
     problem.bodies.push_back({material_of<Thermal>(body), half_width_of(scene, filled[k]),
-                              body.temperature, body.source});
+                              body.temperature, body.source, placed_shape(body)});
   }
   return at_place(scene, "heat", [&] { return make_heat<Dim>(points, std::move(problem)); });
 }
 
 std::unique_ptr<Physics> quasi_static_of(const Scene& scene, Points& points) {
   std::vector<LinearElastic> materials;
+  std::vector<Shape> shapes;
   for (const Body& body : scene.bodies) {
     materials.push_back(material_of<LinearElastic>(body));
+    if (const std::optional<Shape> shape = placed_shape(body)) {
+      shapes.push_back(*shape);
+    }
+  }
+  if (shapes.size() < scene.bodies.size()) {
+    shapes.clear();  // not all are known
   }
   return at_place(scene, "quasi_static", [&] {
     return make_quasi_static(points, place(scene.grid.lower), place(scene.grid.upper),
                              scene.grid.cell, scene.grid.shape_function, std::move(materials),
-                             *scene.quasi_static);
+                             *scene.quasi_static, std::move(shapes));
   });
 }
 
@@ -187,6 +207,21 @@ Simulation::Clock clock_of(const Scene& scene) {
   return clock;
 }
 
+// Which fields there are, and where material is, is known now.
+void check_probes(const Scene& scene, Simulation& simulation) {
+  const std::vector<Probe> probes = probes_of(scene);
+  Mistakes mistakes;
+  for (std::size_t k = 0; k < probes.size(); ++k) {
+    mistakes.gather([&] {
+      in_file(scene, element_path("probes", k), [&] {
+        const Probes one(simulation, {probes[k]}, static_cast<int>(scene.bodies.size()));
+        one.read(simulation, true);
+      });
+    });
+  }
+  mistakes.throw_if_any();
+}
+
 template <int Dim>
 std::unique_ptr<Simulation> build_in(const Scene& scene) {
   const Grid<Dim> grid = grid_of<Dim>(scene);
@@ -220,11 +255,16 @@ std::unique_ptr<Simulation> build_in(const Scene& scene) {
     for (const Body& body : scene.bodies) {
       motions.push_back(body.motion);
     }
-    physics.push_back(std::make_unique<PrescribedMotion<Dim>>(*points, std::move(motions)));
+    // Heat in the frame of the bodies does not ask where they are.
+    const bool lazy = physics.size() == 1 &&
+                      dynamic_cast<HeatInBodyFrame<Dim>*>(physics.front().get()) != nullptr;
+    physics.push_back(std::make_unique<PrescribedMotion<Dim>>(*points, std::move(motions), lazy));
   }
-  return in_file(scene, scene.time.steps ? "time.steps" : "time.step", [&] {
+  auto simulation = in_file(scene, scene.time.steps ? "time.steps" : "time.step", [&] {
     return std::make_unique<Simulation>(std::move(points), std::move(physics), clock_of(scene));
   });
+  check_probes(scene, *simulation);
+  return simulation;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace lapilli {
 namespace {
 
-std::string wall_path(std::size_t index) { return message("peridynamics.walls.", index); }
+std::string wall_path(std::size_t index) { return element_path("peridynamics.walls", index); }
 
 Lattice lattice_of(const Scene& scene, double spacing) {
   Lattice lattice;
@@ -26,7 +26,7 @@ Lattice lattice_of(const Scene& scene, double spacing) {
 double spacing_of(const Scene& scene, const std::vector<FilledPoints>& filled) {
   for (std::size_t k = 1; k < filled.size(); ++k) {
     require_at(std::abs(filled[k].spacing / filled[0].spacing - 1.0) < 1e-6, scene,
-               message("bodies.", k), "has points ", filled[k].spacing,
+               element_path("bodies", k), "has points ", filled[k].spacing,
                " m apart, those of body 0 are ", filled[0].spacing,
                " m apart; a peridynamic fluid has one spacing");
   }
@@ -42,7 +42,7 @@ FluidDistance region_of(const Scene& scene) {
   std::vector<Shape> shapes;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const std::optional<Shape> shape = placed_shape(scene.bodies[k]);
-    require_at(shape.has_value(), scene, message("bodies.", k),
+    require_at(shape.has_value(), scene, element_path("bodies", k),
                "needs a shape: walls are found by their distance from it");
     shapes.push_back(*shape);
   }
@@ -50,7 +50,7 @@ FluidDistance region_of(const Scene& scene) {
 }
 
 double longest_horizon(const PeridynamicsSettings& settings, double spacing) {
-  return spacing * std::max(settings.heat ? settings.heat->horizon : 0.0,
+  return spacing * std::max(settings.heat ? settings.heat->widest_horizon() : 0.0,
                             settings.flow ? settings.flow->horizon : 0.0);
 }
 
@@ -125,6 +125,11 @@ FilledPoints felt_points(const FilledPoints& all, const std::string& name, const
 
 }  // namespace
 
+bool conducts_at_rest(const Scene& scene) {
+  return scene.peridynamics && scene.peridynamics->heat && !scene.peridynamics->flow &&
+         scene.peridynamics->heat->laplacian == Laplacian::corrected;
+}
+
 std::vector<FilledPoints> fill_walls(const Scene& scene, const std::vector<FilledPoints>& filled) {
   std::vector<FilledPoints> walls;
   if (!scene.peridynamics) {
@@ -153,8 +158,10 @@ std::vector<std::unique_ptr<Physics>> physics_of_peridynamics(
   problem.region = region_of(scene);
   problem.fluid = fluid_of(scene);
   for (std::size_t k = 0; k < scene.peridynamics->walls.size(); ++k) {
-    problem.walls.push_back(
-        {scene.peridynamics->walls[k], static_cast<int>(scene.bodies.size() + k)});
+    const FluidWallBody& wall = scene.peridynamics->walls[k];
+    problem.walls.push_back({wall, static_cast<int>(scene.bodies.size() + k)});
+    problem.wall_shapes.push_back(
+        [shape = wall.shape](const Vec3& at) { return distance(shape, at); });
   }
   problem.heat = scene.peridynamics->heat;
   problem.flow = scene.peridynamics->flow;

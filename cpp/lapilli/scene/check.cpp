@@ -1,16 +1,21 @@
 #include "lapilli/scene/check.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "lapilli/core/memory.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/body_points.hpp"
+#include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
 #include "lapilli/scene/memory.hpp"
 #include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/validate.hpp"
+#include "lapilli/scene/validate_heat.hpp"
 
 namespace lapilli {
 namespace {
@@ -37,13 +42,14 @@ void describe_grid(const Scene& scene, CheckReport& report) {
 void describe_bodies(const Scene& scene, const Simulation& simulation, CheckReport& report) {
   const Points& points = simulation.points();
   report.points = points.size();
-  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    const std::string& name = scene.bodies[k].name;
-    report.bodies.push_back({name.empty() ? message("body ", k) : name, 0, 0.0, 0.0});
+  const std::vector<BodyVolume> volumes = body_volumes(scene, points);
+  for (const BodyVolume& body : volumes) {
+    report.bodies.push_back({body.name, 0, 0.0, 0.0, body.of_shape});
   }
+  report.notes = volume_warnings(volumes, points.dimension());
   if (scene.peridynamics) {
     for (const FluidWallBody& wall : scene.peridynamics->walls) {
-      report.bodies.push_back({message("wall ", wall.name), 0, 0.0, 0.0});
+      report.bodies.push_back({message("wall ", wall.name), 0, 0.0, 0.0, {}});
     }
   }
   for (Index row = 0; row < points.size(); ++row) {
@@ -85,6 +91,7 @@ void describe_heat(const Scene& scene, CheckReport& report) {
   for (const HeatBoundary& law : scene.heat->boundaries) {
     ++laws[law.index()];
   }
+  std::ranges::copy(heat_warnings(scene), std::back_inserter(report.notes));
   const char* names[4] = {"prescribed flux", "convection", "radiation", "prescribed temperature"};
   for (int k = 0; k < 4; ++k) {
     if (laws[k] > 0) {
@@ -117,16 +124,35 @@ void describe_quasi_static(const Scene& scene, CheckReport& report) {
     report.not_modelled.push_back(absent);
   }
   for (const Body& body : scene.bodies) {
-    if (body.shape && !body.clip) {
+    if (body.shape && !is_filled_exactly(scene, body)) {
       report.notes.push_back(message("body ", body.name,
-                                     " is not clipped: its points integrate cut cells roughly; "
-                                     "set clip = true"));
+                                     " is filled by a lattice: its points integrate cut cells "
+                                     "roughly; set fill = \"exact\""));
     }
   }
   if (!settings.hold_empty_cells && scene.grid.shape_function == ShapeFunction::linear) {
     report.notes.push_back(
         "hold_empty_cells is off and shape functions are linear: a wall that moves into a cell "
         "without points lets go");
+  }
+}
+
+// Where the default transfer is weaker than elsewhere.
+void describe_transfer(const Scene& scene, CheckReport& report) {
+  if (scene.momentum->transfer != VelocityTransfer::blended_apic) {
+    return;
+  }
+  if (scene.grid.shape_function == ShapeFunction::linear) {
+    report.notes.push_back(
+        "momentum.transfer blended_apic has no affine part with linear functions: spin fades");
+  }
+  const double enough = 0.75 * scene.grid.cell;
+  for (const CheckReport::BodyReport& body : report.bodies) {
+    if (body.spacing > enough) {
+      report.notes.push_back(message("body ", body.name, " has fewer than ", 1 << report.dimension,
+                                     " points a cell: with momentum.transfer blended_apic it may "
+                                     "fall apart after some 10,000 steps"));
+    }
   }
 }
 
@@ -150,6 +176,10 @@ void describe_momentum(const Scene& scene, CheckReport& report) {
         },
         wall);
   }
+  for (const Obstacle& obstacle : settings.obstacles) {
+    report.modelled.push_back(message(name_of(obstacle.contact), " obstacle ", obstacle.name,
+                                      obstacle.name.empty() ? "" : ": ", kind_of(obstacle.shape)));
+  }
   for (const Body& body : scene.bodies) {
     for (const Material& material : body.material) {
       if (std::holds_alternative<ThermalExpansion>(material)) {
@@ -165,6 +195,10 @@ void describe_momentum(const Scene& scene, CheckReport& report) {
   if (settings.walls.empty()) {
     report.notes.push_back("[momentum] has no walls: a point that leaves the grid stops the run");
   }
+  for (const std::string& warning : warnings(settings)) {
+    report.notes.push_back(warning);
+  }
+  describe_transfer(scene, report);
   for (const char* absent : {"hardening", "pore pressure",
                              "contact between bodies other than "
                              "through common nodes"}) {
@@ -278,6 +312,9 @@ CheckReport check(const Scene& scene) {
   describe_grid(scene, report);
   describe_bodies(scene, *simulation, report);
   describe_physics(scene, report);
+  for (const std::string& note : unused_settings(scene)) {
+    report.notes.push_back(note);
+  }
   describe_steps(scene, *simulation, report);
   report.memory =
       memory_of(scene, static_cast<double>(report.nodes), static_cast<double>(report.points));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,9 @@ struct CheckReport {
   struct BodyReport {
     std::string name;
     Index points = 0;
-    double volume = 0.0;   // m^dimension
-    double spacing = 0.0;  // m
+    double volume = 0.0;                    // m^dimension, of the points
+    double spacing = 0.0;                   // m
+    std::optional<double> volume_of_shape;  // m^dimension; none without a shape
   };
 
   std::string title;

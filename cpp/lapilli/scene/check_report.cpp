@@ -3,15 +3,11 @@
 #include "lapilli/core/memory.hpp"
 #include "lapilli/scene/check.hpp"
 #include "lapilli/scene/emit.hpp"
+#include "lapilli/scene/run_text.hpp"
 #include "lapilli/scene/tree_writer.hpp"
 
 namespace lapilli {
-namespace {
-
-std::string readable_time(double seconds) {
-  return seconds < 120.0 ? message(std::setprecision(2), seconds, " s")
-                         : message(std::setprecision(2), seconds / 60.0, " min");
-}
+namespace {}
 
 Tree list_of(const std::vector<std::string>& words) {
   Tree::Array array;
@@ -39,6 +35,7 @@ std::string text_of(const CheckReport& report) {
   for (const CheckReport::BodyReport& body : report.bodies) {
     text += message("body          ", body.name, ": ", body.points, " points, ",
                     sizes[report.dimension - 1], " ", body.volume, units[report.dimension - 1],
+                    body.volume_of_shape ? message(" (shape ", *body.volume_of_shape, ")") : "",
                     ", spacing ", body.spacing, " m\n");
   }
   text += message("models        ", listed(report.modelled), "\n");
@@ -69,6 +66,10 @@ std::string json_of(const CheckReport& report) {
                                   {"volume", {}, {body.volume, {}}},
                                   {"spacing", {}, {body.spacing, {}}}},
                       {}});
+    if (body.volume_of_shape) {
+      std::get<Tree::Table>(bodies.back().value)
+          .push_back({"volume_of_shape", {}, {*body.volume_of_shape, {}}});
+    }
   }
   return emit_json({Tree::Table{{"title", {}, {report.title, {}}},
                                 {"dimension", {}, {Index{report.dimension}, {}}},

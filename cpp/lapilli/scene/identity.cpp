@@ -99,6 +99,7 @@ SceneIdentity identity_of(const Scene& given) {
   Scene scene = given;
   scene.title.clear();
   scene.output = {};
+  scene.probes.clear();
   if (!scene.time.steps) {
     scene.time.end = 0.0;
   }

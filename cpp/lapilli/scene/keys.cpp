@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lapilli/core/allowed.hpp"
+#include "lapilli/core/diagnostics.hpp"
 #include "lapilli/scene/emit.hpp"
 #include "lapilli/scene/scene.hpp"
 #include "lapilli/scene/tree_writer.hpp"
@@ -29,12 +30,28 @@ class KeyTables {
     const T defaults{};
     auto row = [&](const Key& key, const auto& member) { table += row_of(key, member); };
     T::describe(defaults, row);
-    text_ += table;
+    tables_.push_back(table);
     auto deeper = [&](const Key& key, const auto& member) { follow(key, member, heading); };
     T::describe(defaults, deeper);
   }
 
-  const std::string& text() const { return text_; }
+  /// The tables of a section, or all.
+  std::string text(const std::string& section) const {
+    std::string text;
+    std::vector<std::string> names = {"history"};
+    for (std::size_t k = 0; k < tables_.size(); ++k) {
+      std::string name = done_[k];
+      std::erase_if(name, [](char letter) { return letter == '[' || letter == ']'; });
+      const bool is_inside = name.starts_with(section + ".") || name.starts_with(section + " ");
+      if (section.empty() || name == section || is_inside || kind_word(name) == section) {
+        text += tables_[k];
+      }
+      names.push_back(name);
+      names.push_back(kind_word(name));
+    }
+    require(!text.empty(), text.empty() ? unknown_name("section", section, names) : "");
+    return text;
+  }
 
  private:
   static std::string kind_word(const std::string& heading) {
@@ -153,15 +170,18 @@ class KeyTables {
   }
 
   std::vector<std::string> done_;
-  std::string text_;
+  std::vector<std::string> tables_;
 };
 
 }  // namespace
 
-std::string keys_as_markdown() {
+std::string keys_as_markdown(const std::string& section) {
+  if (section == "history") {
+    return "# What a run records in time\n\n" + diagnostics_as_markdown();
+  }
   KeyTables tables;
   tables.add<Scene>("top of the file");
-  return message("# Keys of a scene file\n", tables.text());
+  return message("# Keys of a scene file\n", tables.text(section));
 }
 
 }  // namespace lapilli

@@ -10,15 +10,17 @@ namespace {
 
 using Path = std::span<const std::string>;
 
-std::vector<std::string> split_path(const std::string& path) {
-  std::vector<std::string> names;
-  std::size_t begin = 0;
-  while (begin <= path.size()) {
-    const std::size_t end = std::min(path.find('.', begin), path.size());
-    names.push_back(path.substr(begin, end - begin));
-    begin = end + 1;
+bool is_index(const std::string& word) {
+  return !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
+}
+
+// As messages and places spell it: "bodies[0].shape".
+std::string spelled_path(const std::vector<std::string>& names) {
+  std::string path;
+  for (const std::string& name : names) {
+    path = is_index(name) ? path + "[" + name + "]" : joined_path(path, name);
   }
-  return names;
+  return path;
 }
 
 bool is_word(const std::string& text) {
@@ -64,6 +66,9 @@ void forget_places(Tree& tree) {
 class Setter {
  public:
   Setter(Places& places, const Tree& value) : reader_(places), value_(value) {}
+
+  /// Throws every mistake that reading the value met.
+  void throw_mistakes() const { reader_.throw_mistakes(); }
 
   template <class T>
   void set(T& member, const Key& key, const std::string& at, Path rest) {
@@ -121,10 +126,11 @@ class Setter {
       set(list.front(), key, at, rest);
       return;
     }
-    require(is_number && index < list.size(), "--set: ", joined_path(at, word),
+    require(is_number && index < list.size(),
+            "--set: ", is_number ? element_path(at, index) : joined_path(at, word),
             " does not exist: ", at, " has ", list.size(), " entries, counted from 0");
     T element = list[index];
-    set(element, key, joined_path(at, word), rest.subspan(1));
+    set(element, key, element_path(at, index), rest.subspan(1));
     list[index] = std::move(element);
   }
 
@@ -143,6 +149,20 @@ class Setter {
 
 }  // namespace
 
+std::vector<std::string> path_names(const std::string& path) {
+  std::vector<std::string> names(1);
+  for (std::size_t at = 0; at < path.size(); ++at) {
+    const bool closes =
+        path[at] == ']' && (at + 1 == path.size() || path[at + 1] == '.' || path[at + 1] == '[');
+    if (path[at] == '.' || path[at] == '[') {
+      names.emplace_back();
+    } else if (!closes) {
+      names.back() += path[at];
+    }
+  }
+  return names;
+}
+
 void apply_override(Scene& scene, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   require(equals != std::string::npos && equals > 0, "--set needs key=value, got \"", assignment,
@@ -155,15 +175,19 @@ void apply_override(Scene& scene, const std::string& assignment) {
   };
   Tree value = value_of(trimmed(assignment.substr(equals + 1)));
   forget_places(value);
-  const std::string path = trimmed(assignment.substr(0, equals));
+  const std::vector<std::string> names = path_names(trimmed(assignment.substr(0, equals)));
   Places set_places;
   set_places.source = "--set";
   Scene changed = scene;
-  Setter(set_places, value).set(changed, Key(""), "", split_path(path));
+  Setter setter(set_places, value);
+  setter.set(changed, Key(""), "", names);
+  setter.throw_mistakes();
   if (scene.places) {
     auto places = std::make_shared<Places>(*scene.places);
+    const std::string path = spelled_path(names);
     std::erase_if(places->at, [&](const auto& entry) {
-      return entry.first == path || entry.first.starts_with(path + ".");
+      return entry.first == path || entry.first.starts_with(path + ".") ||
+             entry.first.starts_with(path + "[");
     });
     changed.places = std::move(places);
   }

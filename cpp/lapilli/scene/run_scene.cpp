@@ -1,8 +1,13 @@
 #include "lapilli/scene/run_scene.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "lapilli/output/checksum.hpp"
+#include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/identity.hpp"
 #include "lapilli/scene/scene_file.hpp"
+#include "lapilli/scene/validate_heat.hpp"
 
 namespace lapilli {
 namespace {
@@ -17,11 +22,42 @@ std::string text_for_record(const Scene& scene) {
 
 }  // namespace
 
+Scene with_output(Scene scene, const std::string& path, double every) {
+  if (!path.empty()) {
+    scene.output.path = path;
+  }
+  if (every > 0.0) {
+    scene.output.every = every;
+    scene.output.every_steps.reset();
+  }
+  return scene;
+}
+
+std::vector<Probe> probes_of(const Scene& scene) {
+  std::vector<Probe> probes;
+  for (const ProbeSettings& probe : scene.probes) {
+    probes.push_back({probe.name, place(probe.position), probe.field, probe.material_point});
+  }
+  return probes;
+}
+
 RunOptions run_options(const Scene& scene) {
   RunOptions options;
   options.output = scene.output.path;
   options.frame_interval = scene.output.every.value_or(0.0);
   options.frame_steps = scene.output.every_steps.value_or(0);
+  options.probes = probes_of(scene);
+  options.bodies = static_cast<int>(scene.bodies.size());
+  if (scene.output.history_every) {
+    options.history.emplace_back(*scene.output.history_every, 0);
+  }
+  for (const ProbeSettings& probe : scene.probes) {
+    if (probe.every || probe.every_steps) {
+      options.history.emplace_back(probe.every.value_or(0.0), probe.every_steps.value_or(0));
+    }
+  }
+  options.notes = unused_settings(scene);
+  std::ranges::copy(heat_warnings(scene), std::back_inserter(options.notes));
   options.checkpoint = scene.output.checkpoint;
   options.checkpoint_interval_seconds = scene.output.checkpoint_every.value_or(0.0);
   options.scene_text = text_for_record(scene);

@@ -10,4 +10,11 @@ namespace lapilli {
 /// a later end or other frames, never with another problem. Functions are named, not compared.
 RunOptions run_options(const Scene& scene);
 
+/// The scene with the output that a front end was asked for: frames in `path`, unless it is empty,
+/// and after `every` seconds, unless it is 0, whatever the scene says of steps between frames.
+Scene with_output(Scene scene, const std::string& path, double every);
+
+/// The probes of a scene, in its order.
+std::vector<Probe> probes_of(const Scene& scene);
+
 }  // namespace lapilli

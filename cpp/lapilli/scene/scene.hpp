@@ -49,16 +49,31 @@ struct TimeSettings {
   }
 };
 
-/// A material point whose history is asked for: the one nearest to a place at the start.
-struct Monitor {
+/// A field that is recorded at one position, or at the material point that is nearest to it at the
+/// start, into the history of the run.
+struct ProbeSettings {
   std::string name;
-  std::vector<double> position;  // m, at the start
+  std::vector<double> position;  // m
+  bool material_point = false;   // whether it travels with the material
+  std::string field = "temperature";
+  std::optional<double> every;       // s; not set: with the rest of the history
+  std::optional<Index> every_steps;  // instead
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("name").required().text("name of the point in results"), self.name);
-    visit(Key("position").unit("m").required().length(1, 3).text("where it is at the start"),
+    visit(Key("name").required().text("name of its column in the history"), self.name);
+    visit(Key("position").unit("m").required().length(1, 3).text("where it is, inside a body"),
           self.position);
+    visit(Key("material_point")
+              .text("follow the material point nearest to the position at the start, instead of "
+                    "staying there"),
+          self.material_point);
+    visit(Key("field").text("field of the output, or position"), self.field);
+    visit(Key("every").unit("s").positive().text(
+              "least time between records; with the rest of the history when not given"),
+          self.every);
+    visit(Key("every_steps").range(1, 1e12).text("steps between records, instead of a time"),
+          self.every_steps);
   }
 };
 
@@ -67,6 +82,7 @@ struct OutputSettings {
   std::string path;                        // frames for ParaView, ends in .vtkhdf; empty: none
   std::optional<double> every;             // s between frames; not set: the first and the last
   std::optional<Index> every_steps;        // steps between frames, instead
+  std::optional<double> history_every;     // s between rows of the history; not set: every frame
   bool checkpoint = true;                  // beside the frames, to resume from
   std::optional<double> checkpoint_every;  // s of wall time; not set: with every frame
 
@@ -78,6 +94,11 @@ struct OutputSettings {
           self.every);
     visit(Key("every_steps").range(1, 1e12).text("steps between frames, instead of a time"),
           self.every_steps);
+    visit(Key("history_every")
+              .unit("s")
+              .positive()
+              .text("least time between rows of the history; one with every frame when not given"),
+          self.history_every);
     visit(Key("checkpoint").text("keep a state to resume from beside the frames"), self.checkpoint);
     visit(Key("checkpoint_every")
               .unit("s")
@@ -101,7 +122,7 @@ struct Scene {
   std::optional<PeridynamicsSettings> peridynamics;
   TimeSettings time;
   OutputSettings output;
-  std::vector<Monitor> monitors;
+  std::vector<ProbeSettings> probes;
   std::shared_ptr<const Places> places;  // where each key stood in the file; null when in none
 
   template <class Self, class Visitor>
@@ -118,7 +139,7 @@ struct Scene {
         self.peridynamics);
     visit(Key("time").required().text("end and steps"), self.time);
     visit(Key("output").text("frames and checkpoints"), self.output);
-    visit(Key("monitors").text("material points whose history is asked for"), self.monitors);
+    visit(Key("probes").text("fields recorded in time at single positions"), self.probes);
   }
 };
 

@@ -13,7 +13,9 @@ Scene parse_scene(std::string_view text, const std::string& name) {
   auto places = std::make_shared<Places>();
   places->source = name;
   Scene scene;
-  TreeReader(*places).read_struct(parse_toml(text, name), "", scene);
+  TreeReader reader(*places);
+  reader.read_struct(parse_toml(text, name), "", scene);
+  reader.throw_mistakes();
   scene.places = std::move(places);
   return scene;
 }

@@ -1,8 +1,11 @@
 #include "lapilli/scene/tree_reader.hpp"
 
 #include <cmath>
+#include <filesystem>
 
 #include "lapilli/core/allowed.hpp"
+#include "lapilli/geometry/number_rows.hpp"
+#include "lapilli/scene/renamed.hpp"
 
 namespace lapilli {
 namespace {
@@ -31,8 +34,8 @@ std::string place_text(const Places* places, std::string path) {
     if (path.empty()) {
       return places->source.empty() ? "" : places->source + ": ";
     }
-    const std::size_t dot = path.rfind('.');
-    path.resize(dot == std::string::npos ? 0 : dot);
+    const std::size_t last = path.find_last_of(".[");
+    path.resize(last == std::string::npos ? 0 : last);
   }
 }
 
@@ -61,13 +64,9 @@ void TreeReader::fail(Place place, const std::string& path, const std::string& w
 
 void TreeReader::check_in_range(const Tree& tree, const Key& key, const std::string& path,
                                 double number) const {
-  const bool usable = std::isfinite(number) || (key.infinity_allowed && std::isinf(number));
-  const bool inside =
-      usable && number <= key.most && (key.open ? number > key.least : number >= key.least);
-  if (!inside) {
-    const std::string range = allowed_range(key);
-    fail(tree, path,
-         message("must be ", range.empty() ? "a finite number" : range, ", got ", number));
+  const std::string mistake = range_mistake(key, number);
+  if (!mistake.empty()) {
+    fail(tree, path, mistake);
   }
 }
 
@@ -104,8 +103,36 @@ void TreeReader::read_text(const Tree& tree, const Key&, const std::string& path
   }
 }
 
+// A table in time from two columns of a text file, named from the folder of the scene.
+Table TreeReader::table_of_file(const Tree::Table& table, const Tree::Entry& file, const Key& key,
+                                const std::string& path) {
+  const std::string file_path = joined_path(path, "file");
+  if (table.size() > 1) {
+    fail(file.value, file_path, "holds times and values: give a file or lists, not both");
+  }
+  const std::string* name = file.value.string();
+  if (!name) {
+    fail(file.value, file_path, message("must name a file, got ", in_words(file.value)));
+  }
+  const auto folder = std::filesystem::path(places_.source).parent_path();
+  TwoColumns columns;
+  try {
+    columns = read_two_columns((folder / *name).string());
+  } catch (const std::invalid_argument& error) {
+    fail(file.value, file_path, error.what());
+  }
+  for (std::size_t k = 0; k < columns.first.size(); ++k) {
+    double number = 0.0;
+    read_number({columns.second[k], file.place}, key, message(file_path, ", row ", k), number);
+    if (k > 0 && columns.first[k] < columns.first[k - 1]) {
+      fail(file.value, file_path, message("has times that decrease in row ", k));
+    }
+  }
+  return {std::move(columns.first), std::move(columns.second)};
+}
+
 void TreeReader::read_value(const Tree& tree, const Key& key, const std::string& path,
-                            Value& value) const {
+                            Value& value) {
   double number = 0.0;
   if (number_of(tree, number)) {
     read_number(tree, key, path, number);
@@ -116,9 +143,14 @@ void TreeReader::read_value(const Tree& tree, const Key& key, const std::string&
   if (!table) {
     fail(tree, path,
          message("must be a number", *key.of_unit ? " in " : "", key.of_unit,
-                 " or a table in time {times = [...], values = [...]}, got ", in_words(tree)));
+                 " or a table in time {times = [...], values = [...]} or {file = \"...\"}, got ",
+                 in_words(tree)));
   }
-  check_known(*table, path, {"times", "values"});
+  check_known(*table, path, {"times", "values", "file"});
+  if (const Tree::Entry* file = find(*table, "file")) {
+    value = Value(table_of_file(*table, *file, key, path));
+    return;
+  }
   Table in_time;
   for (const auto& [name, numbers, each] :
        {std::tuple("times", &in_time.times, Key("times").unit("s")),
@@ -134,7 +166,7 @@ void TreeReader::read_value(const Tree& tree, const Key& key, const std::string&
            message("must be a list of numbers, got ", in_words(entry->value)));
     }
     for (std::size_t k = 0; k < list->size(); ++k) {
-      read_number((*list)[k], each, joined_path(list_path, std::to_string(k)), number);
+      read_number((*list)[k], each, element_path(list_path, k), number);
       numbers->push_back(number);
     }
   }
@@ -143,9 +175,8 @@ void TreeReader::read_value(const Tree& tree, const Key& key, const std::string&
          message("needs as many values as times, got ", in_time.values.size(), " and ",
                  in_time.times.size()));
   }
-  if (std::adjacent_find(in_time.times.begin(), in_time.times.end(), std::greater_equal<>()) !=
-      in_time.times.end()) {
-    fail(tree, joined_path(path, "times"), "must increase");
+  if (!in_time.is_ordered()) {
+    fail(tree, joined_path(path, "times"), "must increase; two equal times, not three, are a jump");
   }
   value = Value(std::move(in_time));
 }
@@ -165,8 +196,8 @@ void TreeReader::read_tensor(const Tree& tree, const Key& key, const std::string
                  in_words(tree)));
   }
   for (int k = 0; k < 6; ++k) {
-    read_number((*list)[static_cast<std::size_t>(k)], key, joined_path(path, std::to_string(k)),
-                tensor[k]);
+    read_number((*list)[static_cast<std::size_t>(k)], key,
+                element_path(path, static_cast<std::size_t>(k)), tensor[k]);
   }
 }
 
@@ -186,14 +217,23 @@ void TreeReader::check_length(const Tree& tree, const Key& key, const std::strin
   }
 }
 
-void TreeReader::check_known(const Tree::Table& table, const std::string& path,
-                             const std::vector<std::string>& allowed) const {
+std::vector<std::string> TreeReader::check_known(const Tree::Table& table, const std::string& path,
+                                                 const std::vector<std::string>& allowed) {
+  std::vector<std::string> meant;
   for (const Tree::Entry& entry : table) {
-    if (std::find(allowed.begin(), allowed.end(), entry.name) == allowed.end()) {
-      fail(entry.place, joined_path(path, entry.name),
-           "is no known key" + suggestion(entry.name, allowed));
+    if (std::find(allowed.begin(), allowed.end(), entry.name) != allowed.end()) {
+      continue;
     }
+    const std::string entry_path = joined_path(path, entry.name);
+    const std::string now = renamed(entry_path);
+    mistakes_.gather([&] {
+      fail(entry.place, entry_path,
+           now.empty() ? "is no known key" + suggestion(entry.name, allowed)
+                       : "is called '" + now + "' now");
+    });
+    meant.push_back(entry.name.size() <= 64 ? nearest_name(entry.name, allowed) : "");
   }
+  return meant;
 }
 
 }  // namespace lapilli

@@ -10,11 +10,12 @@
 #include "lapilli/core/value.hpp"
 #include "lapilli/materials/symmetric_tensor.hpp"
 #include "lapilli/scene/member_types.hpp"
+#include "lapilli/scene/mistakes.hpp"
 #include "lapilli/scene/tree.hpp"
 
 namespace lapilli {
 
-/// Where every key of a scene stood in its file, by path ("bodies.0.shape").
+/// Where every key of a scene stood in its file, by path ("bodies[0].shape").
 struct Places {
   std::string source;  // file name
   std::map<std::string, Place> at;
@@ -35,11 +36,19 @@ inline std::string joined_path(const std::string& path, const std::string& name)
   return path.empty() ? name : path + "." + name;
 }
 
-/// Fills described structs from a tree. Every mistake is a std::invalid_argument that says where it
-/// stands, the path of the key, what was given and what is allowed.
+/// The path of an element of a list: "bodies" and 0 give "bodies[0]".
+inline std::string element_path(const std::string& path, std::size_t index) {
+  return path + "[" + std::to_string(index) + "]";
+}
+
+/// Fills described structs from a tree. Every mistake says where it stands, the path of the key,
+/// what was given and what is allowed; mistakes in members of a struct are gathered.
 class TreeReader {
  public:
   explicit TreeReader(Places& places) : places_(places) {}
+
+  /// Throws the mistakes gathered so far as one std::invalid_argument, a line each.
+  void throw_mistakes() const { mistakes_.throw_if_any(); }
 
   /// Read a member of any supported type.
   template <class T>
@@ -61,14 +70,17 @@ class TreeReader {
   void read_integer(const Tree& tree, const Key& key, const std::string& path, Index& number) const;
   void read_text(const Tree& tree, const Key& key, const std::string& path,
                  std::string& text) const;
-  void read_value(const Tree& tree, const Key& key, const std::string& path, Value& value) const;
+  Table table_of_file(const Tree::Table& table, const Tree::Entry& file, const Key& key,
+                      const std::string& path);
+  void read_value(const Tree& tree, const Key& key, const std::string& path, Value& value);
   void read_tensor(const Tree& tree, const Key& key, const std::string& path,
                    SymmetricTensor& tensor) const;
   const Tree::Table& table_of(const Tree& tree, const std::string& path) const;
   void check_length(const Tree& tree, const Key& key, const std::string& path,
                     std::size_t length) const;
-  void check_known(const Tree::Table& table, const std::string& path,
-                   const std::vector<std::string>& allowed) const;
+  /// Gathers the unknown keys of a table; returns the known ones that they were meant for.
+  std::vector<std::string> check_known(const Tree::Table& table, const std::string& path,
+                                       const std::vector<std::string>& allowed);
 
   template <Named T>
   void read_name(const Tree& tree, const std::string& path, T& member) const;
@@ -78,6 +90,7 @@ class TreeReader {
   void read_kind(const Tree& tree, const std::string& path, T& member);
 
   Places& places_;
+  Mistakes mistakes_;
 };
 
 template <class T>
@@ -139,16 +152,19 @@ void TreeReader::read_struct(const Tree& tree, const std::string& path, T& objec
   }
   auto collect = [&](const Key& key, auto&) { allowed.push_back(key.name); };
   T::describe(object, collect);
-  check_known(table, path, allowed);
+  const std::vector<std::string> misspelt = check_known(table, path, allowed);
   auto fill = [&](const Key& key, auto& member) {
     const std::string member_path = joined_path(path, key.name);
     if (const Tree::Entry* entry = find(table, key.name)) {
       places_.at[member_path] = entry->place;
-      read(entry->value, key, member_path, member);
-    } else if (key.is_required) {
-      fail(tree, member_path,
-           message("is missing", *key.meaning ? ": " : "", key.meaning, *key.of_unit ? " in " : "",
-                   key.of_unit));
+      mistakes_.gather([&] { read(entry->value, key, member_path, member); });
+    } else if (key.is_required &&
+               std::find(misspelt.begin(), misspelt.end(), key.name) == misspelt.end()) {
+      mistakes_.gather([&] {
+        fail(tree, member_path,
+             message("is missing", *key.meaning ? ": " : "", key.meaning,
+                     *key.of_unit ? " in " : "", key.of_unit));
+      });
     }
   };
   T::describe(object, fill);
@@ -182,16 +198,16 @@ void TreeReader::read_list(const Tree& tree, const Key& key, const std::string& 
   check_length(tree, key, path, array ? array->size() : 1);
   for (std::size_t k = 0; k < (array ? array->size() : 1); ++k) {
     const Tree& element = array ? (*array)[k] : tree;
-    const std::string element_path = array ? joined_path(path, std::to_string(k)) : path;
-    places_.at[element_path] = element.place;
+    const std::string here = array ? element_path(path, k) : path;
+    places_.at[here] = element.place;
     T value{};
     if constexpr (is_vector<T>) {
       Key row = key;
       row.shortest = 0;
       row.longest = std::numeric_limits<int>::max();
-      read(element, row, element_path, value);
+      mistakes_.gather([&] { read(element, row, here, value); });
     } else {
-      read(element, key, element_path, value);
+      mistakes_.gather([&] { read(element, key, here, value); });
     }
     list.push_back(std::move(value));
   }

@@ -118,7 +118,7 @@ Tree TreeWriter::write_list(const std::vector<T>& list, const Key& key,
   }
   Tree::Array array;
   for (std::size_t k = 0; k < list.size(); ++k) {
-    array.push_back(write(list[k], key, joined_path(path, std::to_string(k))));
+    array.push_back(write(list[k], key, element_path(path, k)));
   }
   return {std::move(array), {}};
 }

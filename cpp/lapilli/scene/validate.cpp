@@ -1,12 +1,16 @@
 #include "lapilli/scene/validate.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "lapilli/core/allowed.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/member_types.hpp"
+#include "lapilli/scene/mistakes.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/resolve_files.hpp"
+#include "lapilli/scene/validate_heat.hpp"
 #include "lapilli/scene/validate_peridynamics.hpp"
 
 namespace lapilli {
@@ -15,7 +19,7 @@ namespace {
 // Every number again: scenes made in a program have passed no reader.
 class RangeCheck {
  public:
-  explicit RangeCheck(const Scene& scene) : scene_(scene) {}
+  RangeCheck(const Scene& scene, Mistakes& mistakes) : scene_(scene), mistakes_(mistakes) {}
 
   template <class T>
   void check(const T& member, const Key& key, const std::string& path) const {
@@ -31,12 +35,14 @@ class RangeCheck {
     } else if constexpr (is_vector<T>) {
       check_list(member, key, path);
     } else if constexpr (Indirect<T>) {
-      require_at(!member.empty() || !key.is_required, scene_, path, "is missing");
+      mistakes_.gather(
+          [&] { require_at(!member.empty() || !key.is_required, scene_, path, "is missing"); });
       if (!member.empty()) {
         check(*member, key, path);
       }
     } else if constexpr (std::is_same_v<T, Shape>) {
-      at_place(scene_, path, [&] { lapilli::check(member, dimension_of(scene_)); });
+      mistakes_.gather(
+          [&] { at_place(scene_, path, [&] { lapilli::check(member, dimension_of(scene_)); }); });
     } else if constexpr (Kinded<T>) {
       std::visit([&](const auto& alternative) { check(alternative, key, path); },
                  variant_of(member));
@@ -50,39 +56,47 @@ class RangeCheck {
 
  private:
   void check_number(double number, const Key& key, const std::string& path) const {
-    const bool usable = std::isfinite(number) || (key.infinity_allowed && std::isinf(number));
-    const std::string range = allowed_range(key);
-    require_at(
-        usable && number <= key.most && (key.open ? number > key.least : number >= key.least),
-        scene_, path, "must be ", range.empty() ? "a finite number" : range, ", got ", number);
+    const std::string mistake = range_mistake(key, number);
+    if (!mistake.empty()) {
+      mistakes_.add(place_text(scene_.places.get(), path) + path + " " + mistake);
+    }
   }
 
   void check_value(const Value& value, const Key& key, const std::string& path) const {
     if (const auto* in_time = std::get_if<Table>(&value.form())) {
-      require_at(!in_time->times.empty() && in_time->times.size() == in_time->values.size(), scene_,
-                 path, "needs as many values as times, at least one");
-      for (std::size_t k = 0; k < in_time->times.size(); ++k) {
-        check_number(in_time->values[k], key, path);
-        require_at(std::isfinite(in_time->times[k]) &&
-                       (k == 0 || in_time->times[k] > in_time->times[k - 1]),
-                   scene_, path, "has times that do not increase");
+      mistakes_.gather([&] { check_table(*in_time, path); });
+      for (const double number : in_time->values) {
+        check_number(number, key, path);
       }
     } else if (value.is_constant()) {
       check_number(value.at(0.0), key, path);
     }
   }
 
+  void check_table(const Table& table, const std::string& path) const {
+    require_at(!table.times.empty() && table.times.size() == table.values.size(), scene_, path,
+               "needs as many values as times, at least one");
+    require_at(std::all_of(table.times.begin(), table.times.end(),
+                           [](double time) { return std::isfinite(time); }),
+               scene_, path, "has a time that is not finite");
+    require_at(table.is_ordered(), scene_, path,
+               "has times that do not increase; two equal times, not three, are a jump");
+  }
+
   template <class T>
   void check_list(const std::vector<T>& list, const Key& key, const std::string& path) const {
     const auto count = static_cast<Index>(list.size());
-    require_at(count >= key.shortest && count <= key.longest, scene_, path, "must hold at least ",
-               key.shortest, " entries and at most ", key.longest, ", got ", count);
+    mistakes_.gather([&] {
+      require_at(count >= key.shortest && count <= key.longest, scene_, path, "must hold ",
+                 allowed_length(key), ", got ", count);
+    });
     for (std::size_t k = 0; k < list.size(); ++k) {
-      check(list[k], key, joined_path(path, std::to_string(k)));
+      check(list[k], key, element_path(path, k));
     }
   }
 
   const Scene& scene_;
+  Mistakes& mistakes_;
 };
 
 void check_grid(const Scene& scene) {
@@ -167,7 +181,7 @@ void check_momentum_body(const Scene& scene, const Body& body, int solid, const 
   }
 }
 
-void check_body(const Scene& scene, const Body& body, const std::string& path) {
+void check_place(const Scene& scene, const Body& body, const std::string& path) {
   check_dimension(scene, body.rotation_center, path + ".rotation_center");
   check_dimension(scene, body.translation, path + ".translation");
   check_dimension(scene, body.velocity, path + ".velocity");
@@ -177,6 +191,9 @@ void check_body(const Scene& scene, const Body& body, const std::string& path) {
   if (body.motion) {
     check_motion(scene, *body.motion, path + ".motion");
   }
+}
+
+void check_body_material(const Scene& scene, const Body& body, const std::string& path) {
   int thermal = 0, elastic = 0, newtonian = 0, solid = 0;
   for (const Material& material : body.material) {
     at_place(scene, path + ".material",
@@ -199,6 +216,10 @@ void check_body(const Scene& scene, const Body& body, const std::string& path) {
   require_at(!scene.quasi_static || !body.motion, scene, path + ".motion",
              "contradicts [quasi_static], which moves the points itself");
   require_at(solid <= 1, scene, path + ".material", "has ", solid, " solid materials");
+  require_at(!body.fill || body.shape, scene, path + ".fill",
+             "has no effect on a body without a shape");
+  require_at(!scene.peridynamics || body.fill != Filling::exact, scene, path + ".fill",
+             "must be \"lattice\" in [peridynamics], whose operators need points of one volume");
   check_momentum_body(scene, body, solid, path);
 }
 
@@ -225,28 +246,66 @@ void check_time(const Scene& scene) {
              "output.path", "must end in .vtkhdf, got ", scene.output.path);
 }
 
+// A probe where no body is. Bodies that are known by their points only are left to build().
+void require_in_a_body(const Scene& scene, const ProbeSettings& probe, const std::string& path) {
+  const Vec3 at = place(probe.position);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Body& body : scene.bodies) {
+    const std::optional<Shape> shape = placed_shape(body);
+    if (!shape) {
+      return;
+    }
+    least = std::min(least, distance(*shape, at));
+  }
+  require_at(least <= 1e-9 * scene.grid.cell, scene, path + ".position", "lies ", least,
+             " m outside of every body");
+}
+
+void check_probes(const Scene& scene) {
+  std::set<std::string> names = {"time"};
+  for (std::size_t k = 0; k < scene.probes.size(); ++k) {
+    const ProbeSettings& probe = scene.probes[k];
+    const std::string path = element_path("probes", k);
+    check_dimension(scene, probe.position, path + ".position");
+    require_at(!probe.name.empty() && probe.name.find_first_of("/,\"\n") == std::string::npos,
+               scene, path + ".name", "must hold a word without slash, comma or quote, got '",
+               probe.name, "'");
+    require_at(names.insert(probe.name).second, scene, path + ".name", "is '", probe.name,
+               "' as that of another column of the history");
+    require_at(!probe.every || !probe.every_steps, scene, path + ".every_steps",
+               "contradicts every: give one of them");
+    require_in_a_body(scene, probe, path);
+  }
+}
+
 }  // namespace
 
 void validate(const Scene& as_written) {
   const Scene scene = with_resolved_files(as_written);
-  RangeCheck(scene).check(scene, Key(""), "");
+  Mistakes mistakes;
+  RangeCheck(scene, mistakes).check(scene, Key(""), "");
+  mistakes.throw_if_any();  // nothing below makes sense of numbers that are none
   check_grid(scene);
-  check_time(scene);
+  mistakes.gather([&] { check_time(scene); });
   if (scene.quasi_static) {
-    check_quasi_static(scene);
+    mistakes.gather([&] { check_quasi_static(scene); });
   }
-  validate_peridynamics(scene);
-  for (std::size_t k = 0; k < scene.monitors.size(); ++k) {
-    check_dimension(scene, scene.monitors[k].position, message("monitors.", k, ".position"));
-  }
+  mistakes.gather([&] { validate_peridynamics(scene); });
+  mistakes.gather([&] { validate_heat(scene); });
+  mistakes.gather([&] { check_probes(scene); });
   if (scene.momentum) {
-    require_at(dimension_of(scene) > 1, scene, "momentum",
-               "needs two (plane strain) or three dimensions, the grid has one");
-    at_place(scene, "momentum", [&] { check(*scene.momentum, dimension_of(scene)); });
+    mistakes.gather([&] {
+      require_at(dimension_of(scene) > 1, scene, "momentum",
+                 "needs two (plane strain) or three dimensions, the grid has one");
+      at_place(scene, "momentum", [&] { check(*scene.momentum, dimension_of(scene)); });
+    });
   }
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    check_body(scene, scene.bodies[k], message("bodies.", k));
+    const std::string path = element_path("bodies", k);
+    mistakes.gather([&] { check_place(scene, scene.bodies[k], path); });
+    mistakes.gather([&] { check_body_material(scene, scene.bodies[k], path); });
   }
+  mistakes.throw_if_any();
 }
 
 }  // namespace lapilli

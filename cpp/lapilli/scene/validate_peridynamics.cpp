@@ -14,7 +14,7 @@ void check_material(const Scene& scene, const std::string& section) {
   const Wanted* first = material_in<Wanted>(scene.bodies[0]);
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const Wanted* material = material_in<Wanted>(scene.bodies[k]);
-    const std::string path = message("bodies.", k, ".material");
+    const std::string path = element_path("bodies", k) + ".material";
     require_at(material != nullptr, scene, path, "has no ", Wanted::kind, " material, which [",
                section, "] needs");
     require_at(*material == *first, scene, path,
@@ -26,7 +26,7 @@ void check_walls(const Scene& scene) {
   const std::vector<FluidWallBody>& walls = scene.peridynamics->walls;
   std::set<std::string> names;
   for (std::size_t k = 0; k < walls.size(); ++k) {
-    const std::string path = message("peridynamics.walls.", k);
+    const std::string path = element_path("peridynamics.walls", k);
     at_place(scene, path, [&] { check(walls[k], static_cast<int>(scene.grid.lower.size())); });
     require_at(names.insert(walls[k].name).second, scene, path + ".name", "is '", walls[k].name,
                "' as that of another wall: balances tell walls by their names");
@@ -61,7 +61,7 @@ void validate_peridynamics(const Scene& scene) {
   require_at(!scene.momentum, scene, "momentum",
              "is of the material point method, which shares no scene with [peridynamics]");
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    require_at(!scene.bodies[k].motion, scene, message("bodies.", k, ".motion"),
+    require_at(!scene.bodies[k].motion, scene, element_path("bodies", k) + ".motion",
                "has no meaning in [peridynamics]: a fluid moves by its flow");
   }
   require_at(scene.peridynamics->heat || scene.peridynamics->flow, scene, "peridynamics",

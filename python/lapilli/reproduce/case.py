@@ -6,9 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from lapilli import examples
 from lapilli._core import Scene
-
-SCENES = "examples"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -47,9 +46,5 @@ def quotient_within(value: float, reference: float, share: float) -> tuple[str, 
 
 
 def example(name: str) -> Scene:
-    """A scene of the examples folder, from the source tree or the working directory."""
-    for root in (Path(__file__).resolve().parents[3], Path.cwd()):
-        path = root / SCENES / f"{name}.toml"
-        if path.is_file():
-            return Scene.load(str(path))
-    raise ValueError(f"{SCENES}/{name}.toml was not found: run in the folder of the sources")
+    """A scene of the examples that come with the package."""
+    return examples.load(name)

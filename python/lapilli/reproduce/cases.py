@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import importlib
 from collections.abc import Sequence
 
@@ -40,8 +41,9 @@ def names(wanted: Sequence[str]) -> list[str]:
         group = name.rstrip("/") + "/"
         found = [case for case in MODULES if not name or case == name or case.startswith(group)]
         if not found:
-            known = ", ".join(MODULES) or "none yet"
-            raise ValueError(f"no case {name!r}; there is: {known}")
+            near = difflib.get_close_matches(name, MODULES, 1)
+            meant = f"did you mean {near[0]!r}?" if near else f"there is: {', '.join(MODULES)}"
+            raise ValueError(f"no case {name!r}; {meant}")
         chosen += [case for case in found if case not in chosen]
     return chosen
 

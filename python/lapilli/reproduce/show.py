@@ -12,7 +12,7 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from lapilli.progress import readable_time
+from lapilli._core import readable_time
 from lapilli.reproduce import cases
 from lapilli.reproduce.case import Row
 from lapilli.whole_file import write_text

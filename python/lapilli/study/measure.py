@@ -29,6 +29,11 @@ class Cost:
     points: int
     peak_memory: int  # bytes, of the process
 
+    @property
+    def total_cpu_seconds(self) -> float:
+        """Building and stepping."""
+        return self.build_seconds + self.cpu_seconds
+
 
 @dataclass(frozen=True)
 class Measurement:

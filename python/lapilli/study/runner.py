@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-import multiprocessing
+import contextlib
+import os
 import pickle
+import subprocess
+import sys
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from multiprocessing.connection import Connection
 from typing import Protocol
 
 from lapilli.study.measure import Measurement, Task
@@ -42,37 +44,34 @@ class LocalPool:
 
 
 def in_fresh_process(task: Task) -> Measurement:
-    """Do a task in a process of its own and wait for what comes of it."""
-    fresh = multiprocessing.get_context("spawn")
-    receive, send = fresh.Pipe(duplex=False)
-    process = fresh.Process(target=work, args=(task, send))
-    process.start()
-    send.close()
-    try:
-        outcome = receive.recv()
-    except EOFError:
-        process.join()
-        outcome = task.without_error(
-            f"failed: its process died (exit code {process.exitcode}), perhaps for lack of memory"
+    """Do a task in a process of its own and wait for what comes of it.
+
+    The process starts from `lapilli.study.worker`, never from the script that asks for the study:
+    that one need not guard its main part.
+    """
+    receive, send = os.pipe()
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
+    process = subprocess.Popen(
+        [sys.executable, "-m", "lapilli.study.worker", str(send)],
+        stdin=subprocess.PIPE,
+        pass_fds=[send],
+        env=environment,
+    )
+    os.close(send)
+    with os.fdopen(receive, "rb") as answers:
+        with contextlib.suppress(BrokenPipeError):
+            process.communicate(pickle.dumps(task))
+        answer = answers.read()
+    process.wait()
+    if not answer:
+        return task.without_error(
+            f"failed: its process died (exit code {process.returncode}), perhaps for lack of memory"
         )
-    finally:
-        receive.close()
-        process.join()
+    outcome = pickle.loads(answer)
     if isinstance(outcome, BaseException):
         raise outcome
     assert isinstance(outcome, Measurement)
     return outcome
-
-
-def work(task: Task, send: Connection) -> None:
-    """What the process does: errors of the program go back to the caller."""
-    try:
-        outcome: Measurement | BaseException = task()
-    except KeyboardInterrupt:
-        return
-    except Exception as error:
-        outcome = error
-    send.send(outcome)
 
 
 class InProcess:
@@ -85,11 +84,17 @@ class InProcess:
 
 
 def require_picklable(task: Task) -> None:
-    """Worker processes get their task as bytes."""
+    """Worker processes get their task as bytes, and know nothing of the script that was run."""
     try:
-        pickle.dumps(task)
+        form = pickle.dumps(task)
     except Exception as error:
         raise ValueError(
             "the scene or the reference cannot be sent to worker processes (functions must be "
             f"defined at the top of a module): {error}"
         ) from error
+    if b"__main__" in form:
+        raise ValueError(
+            "the scene or the reference holds a function of the script that is being run, which "
+            "worker processes do not know: define it in a module of its own, or give "
+            "runner=lapilli.study.InProcess()"
+        )

@@ -14,8 +14,9 @@ from lapilli.study.table import Table
 from lapilli.study.tradeoff import tradeoff
 
 
-def show_study(scene: Scene, given: argparse.Namespace) -> None:
-    """Run the study that was asked for; write its files beside each other; print it."""
+def show_study(scene: Scene, given: argparse.Namespace) -> bool:
+    """Run the study that was asked for; write its files beside each other; print it. Whether any
+    setting worked."""
     name = given.output or Path(given.scene).stem + "-tradeoff"
     vary = dict(parse_variation(text) for text in given.vary)
     if len(vary) < len(given.vary):
@@ -32,6 +33,8 @@ def show_study(scene: Scene, given: argparse.Namespace) -> None:
         store=name + ".jsonl",
         report=report,
     )
+    for note in table.notes:
+        print(note, file=sys.stderr)
     table.to_csv(name + ".csv")
     table.to_json(name + ".json")
     print_table(table)
@@ -40,7 +43,11 @@ def show_study(scene: Scene, given: argparse.Namespace) -> None:
         print(f"wrote {name}.csv, .json, .png")
     except ValueError as error:
         print(f"wrote {name}.csv, .json; no picture: {error}")
+    if not table.worked:
+        print(f"lapilli: {table.advice()}", file=sys.stderr)
+        return False
     print(table.advice(given.target_error, given.budget))
+    return True
 
 
 def times_of(text: str) -> list[float]:
@@ -55,7 +62,7 @@ def report(measurement: Measurement, done: int, all_of_them: int) -> None:
     """One line on standard error for each run."""
     said = measurement.reason or f"error {measurement.error:.3g}"
     if measurement.cost is not None:
-        said += f", {measurement.cost.cpu_seconds:.3g} CPU s"
+        said += f", {measurement.cost.total_cpu_seconds:.3g} CPU s"
     print(f"[{done}/{all_of_them}] {measurement.setting}: {said}", file=sys.stderr, flush=True)
 
 

@@ -25,7 +25,7 @@ class Row:
     setting: Setting
     error: float | None
     largest: float | None
-    cpu_seconds: float | None  # median over the repeats
+    cpu_seconds: float | None  # building and stepping, median over the repeats
     cpu_spread: float | None  # slowest minus fastest
     steps: int | None
     points: int | None
@@ -43,21 +43,42 @@ class Row:
 class Table:
     """One row a setting, in the order in which settings were given."""
 
-    def __init__(self, rows: Sequence[Row], field: str, unit: str = "") -> None:
+    def __init__(
+        self, rows: Sequence[Row], field: str, unit: str = "", notes: Sequence[str] = ()
+    ) -> None:
         self.rows = list(rows)
         self.field = field
         self.unit = unit
+        self.notes = list(notes)  # settings that were changed to fit
+
+    def __repr__(self) -> str:
+        return f"<{len(self.rows)} settings, {len(self.front)} on the front; {self.advice()}>"
+
+    @property
+    def worked(self) -> bool:
+        """Whether any setting has an error to show."""
+        return any(row.error is not None for row in self.rows)
+
+    @property
+    def reasons(self) -> list[str]:
+        """Why settings have no error, each reason once."""
+        return list(dict.fromkeys(row.reason for row in self.rows if row.error is None))
 
     @classmethod
     def of(
-        cls, settings: Sequence[Setting], measurements: Iterable[Measurement], field: str, unit: str
+        cls,
+        settings: Sequence[Setting],
+        measurements: Iterable[Measurement],
+        field: str,
+        unit: str,
+        notes: Sequence[str] = (),
     ) -> Table:
         """Gather the repeats of each setting."""
         found: dict[Setting, list[Measurement]] = {setting: [] for setting in settings}
         for measurement in measurements:
             found.setdefault(measurement.setting, []).append(measurement)
         rows = [row_of(setting, repeats) for setting, repeats in found.items() if repeats]
-        return cls(with_front(rows), field, unit)
+        return cls(with_front(rows), field, unit, notes)
 
     @property
     def front(self) -> list[Row]:
@@ -66,19 +87,21 @@ class Table:
 
     def advice(self, target_error: float | None = None, budget: float | None = None) -> str:
         """The cheapest setting within an error, or the most accurate within a cost (CPU s)."""
+        if not self.worked:
+            return "no setting worked: " + "; ".join(self.reasons)
         if target_error is not None:
             good = [row for row in self.front if error_of(row) <= target_error]
             if good:
                 return f"cheapest within {target_error:g}: {said(good[0])}"
-            best = f"; the best is {said(self.front[-1])}" if self.front else ""
-            return f"no setting tried has an error within {target_error:g}{best}"
+            best = said(self.front[-1])
+            return f"no setting tried has an error within {target_error:g}; the best is {best}"
         if budget is not None:
             paid = [row for row in self.front if cost_of(row) <= budget]
             if paid:
                 return f"most accurate within {budget:g} CPU s: {said(paid[-1])}"
-            least = f"; the cheapest is {said(self.front[0])}" if self.front else ""
-            return f"no setting tried costs at most {budget:g} CPU s{least}"
-        return f"most accurate: {said(self.front[-1])}" if self.front else "no setting worked"
+            least = said(self.front[0])
+            return f"no setting tried costs at most {budget:g} CPU s; the cheapest is {least}"
+        return f"most accurate: {said(self.front[-1])}"
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
         """One line a setting."""
@@ -103,7 +126,7 @@ def row_of(setting: Setting, repeats: Sequence[Measurement]) -> Row:
     """Median and spread of one setting."""
     failed = next((m for m in repeats if m.error is None), None)
     costs = [m.cost for m in repeats if m.cost is not None]
-    seconds = [cost.cpu_seconds for cost in costs]
+    seconds = [cost.total_cpu_seconds for cost in costs]
     last = failed or repeats[-1]
     return Row(
         setting,

@@ -37,7 +37,8 @@ def tradeoff(
     Parameters
     ----------
     vary
-        Paths of members and the values to try: ``{"grid.cell": [0.4, 0.2]}``.
+        Paths of members and the values to try: ``{"grid.cell": [0.4, 0.2]}``. Cells that do not
+        divide the grid are replaced by the nearest that do; the table's notes say which.
     reference
         What errors are measured against; see `lapilli.study.reference.reference_of`.
     times
@@ -53,7 +54,7 @@ def tradeoff(
         Called with each measurement, how many are done, and how many there are.
     """
     scene = scene if isinstance(scene, Scene) else Scene.load(os.fspath(scene))
-    settings = settings_of(vary)
+    settings, notes = fitted(settings_of(vary), scene)
     require_known(settings, scene)
     moments = tuple(sorted(times)) if times is not None else (scene.time.end,)
     if repeats < 1:
@@ -71,7 +72,49 @@ def tradeoff(
             done.append(measurement)
             if report is not None:
                 report(measurement, len(done), len(wanted))
-    return Table.of(settings, done, field, unit_of(scene, field))
+    return Table.of(settings, done, field, unit_of(scene, field), notes)
+
+
+def fitted(settings: Sequence[Setting], scene: Scene) -> tuple[list[Setting], list[str]]:
+    """The settings with cells that divide their grid, each once, and what was changed."""
+    kept: dict[Setting, None] = {}
+    notes: dict[str, None] = {}
+    for setting in settings:
+        changes = dict(setting.changes)
+        cell = fitting_cell(setting.apply(scene)) if "grid.cell" in changes else None
+        if cell is not None:
+            notes[f"grid.cell={changes['grid.cell']} does not fit the grid: {cell!r} instead"] = (
+                None
+            )
+            changes["grid.cell"] = repr(cell)
+        kept[Setting(tuple(changes.items()))] = None
+    return list(kept), list(notes)
+
+
+def fitting_cell(scene: Scene) -> float | None:
+    """The cell nearest to that of a scene that divides its grid along every axis, within a quarter;
+    None where its own does, or where there is none."""
+    cell = scene.grid.cell
+    lengths = [high - low for low, high in zip(scene.grid.lower, scene.grid.upper, strict=True)]
+    most = round(lengths[0] / cell * 1.4) + 1
+    fitting = [
+        lengths[0] / count
+        for count in range(1, most)
+        if all(is_whole(length * count / lengths[0]) for length in lengths)
+    ]
+    nearest = min(fitting, key=lambda one: abs(one / cell - 1), default=None)
+    if (
+        nearest is None
+        or abs(nearest / cell - 1) > 0.25
+        or all(is_whole(length / cell) for length in lengths)
+    ):
+        return None
+    return nearest
+
+
+def is_whole(number: float) -> bool:
+    """Whether a number of cells is whole, but for rounding."""
+    return abs(number - round(number)) <= 1e-6 * max(1.0, number)
 
 
 def require_known(settings: Sequence[Setting], scene: Scene) -> None:

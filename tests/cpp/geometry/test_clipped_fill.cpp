@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
+#include "geometry/filled_sums.hpp"
 #include "lapilli/geometry/fill.hpp"
 #include "lapilli/geometry/measure.hpp"
 
@@ -18,20 +18,6 @@ FilledPoints clipped(const Shape& shape, const Vec3& lower, double spacing, int 
   options.clip = true;
   options.degrees = degrees;
   return fill(shape, {lower, 2 * spacing, 2}, options, dimension);
-}
-
-double total(const FilledPoints& points) {
-  return std::accumulate(points.volume.begin(), points.volume.end(), 0.0);
-}
-
-Vec3 centroid(const FilledPoints& points) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    for (int axis = 0; axis < points.dimension; ++axis) {
-      sum[axis] += points.volume[k] * points.position[k * points.dimension + axis];
-    }
-  }
-  return sum / total(points);
 }
 
 // Area of the unit disk left of x = c, by the circular segment.
@@ -86,7 +72,7 @@ TEST_CASE("one box cut by a circle has the area of the circular segment") {
     const double from = 1.0 - side / 3;
     double sum = 0.0;
     for (int k = 0; k * side < 1.0; ++k) {
-      sum += part_inside(outside, Vec3(from, k * side, 0), side, 2).volume;
+      sum += moments_inside(outside, Vec3(from, k * side, 0), side, 2).volume;
     }
     REQUIRE(sum == Approx(0.5 * (pi - disk_left_of(from))).margin(1e-8 * side * side));
   }
@@ -146,8 +132,8 @@ TEST_CASE("plane cuts of boxes are exact in three dimensions") {
   const Vec3 normal = Vec3(1, 2, 3).normalized();
   const auto below = [&](const Vec3& x) { return normal.dot(x - Vec3(0.4, 0.5, 0.6)); };
   const auto above = [&](const Vec3& x) { return -below(x); };
-  const double sum = part_inside(below, Vec3::Zero(), 1.0, 3).volume +
-                     part_inside(above, Vec3::Zero(), 1.0, 3).volume;
+  const double sum = moments_inside(below, Vec3::Zero(), 1.0, 3).volume +
+                     moments_inside(above, Vec3::Zero(), 1.0, 3).volume;
   REQUIRE(sum == Approx(1.0).epsilon(1e-12));
 }
 

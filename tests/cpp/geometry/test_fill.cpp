@@ -1,20 +1,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
-#include "lapilli/geometry/fill.hpp"
+#include "geometry/filled_sums.hpp"
 
 using namespace lapilli;
 using Catch::Matchers::Contains;
-
-namespace {
-
-double total(const FilledPoints& points) {
-  return std::accumulate(points.volume.begin(), points.volume.end(), 0.0);
-}
-
-}  // namespace
 
 TEST_CASE("a rod is filled at a quarter and three quarters of each cell, in order") {
   const auto points = fill(Box{{0.0}, {1.0}}, {Vec3::Zero(), 0.5, 2}, {}, 1);
@@ -131,11 +122,11 @@ TEST_CASE("unusable fills are refused") {
   FillOptions options;
   options.jitter = 0.6;
   refused(lattice, options, "jitter must be 0 to 0.5 of the spacing, got 0.6");
-  options.jitter = 0.1;
-  options.clip = true;
-  refused(lattice, options, "clip goes with neither jitter nor random");
+  options.jitter = 0.0;
+  options.clip = options.random = true;
+  refused(lattice, options, "give clip or random, not both");
   options.clip = false;
-  options.random = true;
+  options.jitter = 0.1;
   refused(lattice, options, "random or jitter, not both");
   refused({Vec3::Zero(), -1, 2}, {}, "cell must be positive and finite, got -1");
   refused({Vec3::Zero(), 1, 0}, {}, "points_per_axis must be at least 1, got 0");

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/filled_sums.hpp"
 #include "geometry/random_points.hpp"
 #include "geometry/scratch_file.hpp"
 #include "lapilli/geometry/fill.hpp"
@@ -34,12 +35,12 @@ ImageMask drawn_disk(int count) {
   return mask;
 }
 
-double total(const FilledPoints& points) {
-  double sum = 0.0;
-  for (double volume : points.volume) {
-    sum += volume;
+std::string bytes_of(const std::string& digits) {
+  std::string bytes;
+  for (std::size_t k = 0; k < digits.size(); k += 2) {
+    bytes += static_cast<char>(std::stoi(digits.substr(k, 2), nullptr, 16));
   }
-  return sum;
+  return bytes;
 }
 
 }  // namespace
@@ -125,6 +126,43 @@ TEST_CASE("image files of every form give the same brightness") {
   REQUIRE_FALSE(covers(mask, Vec3(0.5, 0.5, 0)));
 }
 
+TEST_CASE("PNG images of every form give the same brightness") {
+  // 3 x 2 pixels of brightness 0, .2, .4 over .6, .8, 1.
+  const std::vector<std::string> images = {
+      // 8 bits
+      "89504e470d0a1a0a0000000d4948445200000003000000020800000000b81f39c6000000104944415478"
+      "da6360304e639879e63f00079a02fe07b350570000000049454e44ae426082",
+      // 16 bits
+      "89504e470d0a1a0a0000000d4948445200000003000000021000000000e88fe585000000164944415478"
+      "da63606030364e4b639839f3cc99ffff011a2705fb9b545d6e0000000049454e44ae426082",
+      // colours
+      "89504e470d0a1a0a0000000d49484452000000030000000208020000001216f14d0000001b4944415478"
+      "da636060603066480302869933679e3973e6ffffff00377608f8808b921e0000000049454e44ae426082",
+      // half transparent black, fully transparent
+      "89504e470d0a1a0a0000000d49484452000000030000000208060000009d74661a000000224944415478"
+      "da63606060f86f6c6cfc1f48cf64983973e6ff3367cefc6767676700006eea0973bfc492400000000049"
+      "454e44ae426082",
+      // palette of 4 bits
+      "89504e470d0a1a0a0000000d49484452000000030000000204030000006f5a7b2900000012504c544500"
+      "0000333333666666999999ccccccffffffa94117c90000000e4944415478da6360546030090000014300"
+      "a6c3a5112b0000000049454e44ae426082",
+  };
+  for (const std::string& digits : images) {
+    const std::string bytes = bytes_of(digits);
+    const ScratchFile file(bytes, ".png");
+    const Image image = read_image(file.path());
+    REQUIRE(image.width == 3);
+    REQUIRE(image.height == 2);
+    for (int k = 0; k < 6; ++k) {
+      REQUIRE(image.brightness[k] == Approx(0.2 * k).margin(1e-12));
+    }
+    for (std::size_t length = 9; length < bytes.size() - 12; length += 7) {
+      const ScratchFile cut(bytes.substr(0, length), ".png");
+      REQUIRE_THROWS_WITH(read_image(cut.path()), Contains("broken PNG image: cut short"));
+    }
+  }
+}
+
 TEST_CASE("set pixels become points, alone or in blocks") {
   ImageMask mask = drawn_disk(40);
   const auto single = points_of_image(mask, 1);
@@ -159,6 +197,8 @@ TEST_CASE("unusable images are refused") {
   refused(of_values({{0, 0}}, 1), "no pixel is at or above the threshold 0.5");
   refused(of_values({{1}}, -1), "pixel must be positive and finite, got -1");
   refused({}, "image: give a file or values");
+  refused(of_values({{0, 255}}, 1),
+          "brightness must be 0 to 1, got 255 in row 0, column 1; divide values of 8 bits by 255");
   ImageMask mask = of_values({{1}}, 1);
   mask.threshold = 2;
   refused(mask, "threshold must be 0 to 1, got 2");
@@ -174,7 +214,7 @@ TEST_CASE("unusable images are refused") {
     const ScratchFile file(bytes);
     REQUIRE_THROWS_WITH(read_image(file.path()), Contains(text) && Contains(file.path()));
   };
-  broken("PNG", "not a PGM or PPM image");
+  broken("PNG", "not a PNG, PGM or PPM image");
   broken("P5 3", "the height is missing");
   broken("P5 3 0 4", "the height must be 1 to 100000, got 0");
   broken("P5 3 2 70000 ", "the largest value must be 1 to 65535, got 70000");

@@ -2,10 +2,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
-#include <map>
 #include <numbers>
 #include <sstream>
 
+#include "geometry/meshes.hpp"
 #include "geometry/random_points.hpp"
 #include "geometry/scratch_file.hpp"
 #include "lapilli/geometry/fill.hpp"
@@ -15,43 +15,6 @@ using namespace lapilli;
 using Catch::Matchers::Contains;
 
 namespace {
-
-Mesh cube(double from = 0.0, double to = 1.0) {
-  Mesh mesh;
-  for (int k = 0; k < 8; ++k) {
-    mesh.vertices.push_back({k & 1 ? to : from, k & 2 ? to : from, k & 4 ? to : from});
-  }
-  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  return mesh;
-}
-
-// An octahedron whose triangles are split in four `levels` times, vertices on the unit sphere.
-Mesh ball(int levels) {
-  Mesh mesh;
-  mesh.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
-                    {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-  for (int level = 0; level < levels; ++level) {
-    std::map<std::pair<int, int>, int> middles;
-    const auto middle = [&](int a, int b) {
-      const auto [entry, is_new] = middles.try_emplace(std::minmax(a, b), mesh.vertices.size());
-      if (is_new) {
-        const Vec3 at = (place(mesh.vertices[a]) + place(mesh.vertices[b])).normalized();
-        mesh.vertices.push_back({at[0], at[1], at[2]});
-      }
-      return entry->second;
-    };
-    std::vector<std::vector<int>> finer;
-    for (const auto& row : mesh.triangles) {
-      const int a = row[0], b = row[1], c = row[2];
-      const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-    }
-    mesh.triangles = finer;
-  }
-  return mesh;
-}
 
 std::string as_text(const Mesh& mesh) {
   std::ostringstream text;
@@ -108,19 +71,19 @@ void require_like_box(const Mesh& mesh, const Box& box) {
 
 TEST_CASE("a cube of triangles has the distances of a box, whichever way they are turned") {
   const Box box{{0, 0, 0}, {1, 1, 1}};
-  require_like_box(cube(), box);
-  Mesh inside_out = cube();
+  require_like_box(cube_mesh(), box);
+  Mesh inside_out = cube_mesh();
   for (auto& row : inside_out.triangles) {
     std::swap(row[1], row[2]);
   }
   require_like_box(inside_out, box);
   REQUIRE(inside_out.gradient(Vec3(1, 0.3, 0.4)) == Vec3(1, 0, 0));
-  REQUIRE(cube().surface == nullptr);
+  REQUIRE(cube_mesh().surface == nullptr);
   REQUIRE(inside_out.surface->volume() == Approx(1.0).epsilon(1e-15));
 }
 
 TEST_CASE("a fine ball of triangles has the distances of a full search and of the sphere") {
-  const Mesh mesh = ball(4);
+  const Mesh mesh = ball_mesh(4);
   mesh.check(3);
   REQUIRE(mesh.triangles.size() == 2048);
   const auto& surface = *mesh.surface;
@@ -144,7 +107,7 @@ TEST_CASE("a fine ball of triangles has the distances of a full search and of th
 TEST_CASE("volumes of finer balls approach the sphere's at second order") {
   double error[3];
   for (int level = 2; level < 5; ++level) {
-    const Mesh mesh = ball(level);
+    const Mesh mesh = ball_mesh(level);
     mesh.check(3);
     error[level - 2] = 4 * std::numbers::pi / 3 - mesh.surface->volume();
   }
@@ -154,13 +117,13 @@ TEST_CASE("volumes of finer balls approach the sphere's at second order") {
 }
 
 TEST_CASE("inside is told right for rays through edges and vertices") {
-  const Mesh mesh = ball(3);
+  const Mesh mesh = ball_mesh(3);
   mesh.check(3);
   // From these places rays to the vertices and along symmetry planes are the natural accidents.
   for (const Vec3& x : {Vec3(0, 0, 0), Vec3(0.5, 0, 0), Vec3(0.25, 0.25, 0.25), Vec3(0, 0.9, 0)}) {
     REQUIRE(mesh.distance(x) < 0);
   }
-  const Mesh box = cube();
+  const Mesh box = cube_mesh();
   box.check(3);
   for (int i = 1; i < 8; ++i) {
     REQUIRE(box.distance(Vec3(i / 8.0, i / 8.0, i / 8.0)) < 0);
@@ -169,8 +132,8 @@ TEST_CASE("inside is told right for rays through edges and vertices") {
 }
 
 TEST_CASE("overlapping parts are joined") {
-  Mesh mesh = cube();
-  const Mesh other = cube(0.5, 1.5);
+  Mesh mesh = cube_mesh();
+  const Mesh other = cube_mesh(0.5, 1.5);
   for (const auto& vertex : other.vertices) {
     mesh.vertices.push_back(vertex);
   }
@@ -188,7 +151,7 @@ TEST_CASE("overlapping parts are joined") {
 }
 
 TEST_CASE("STL files, text and binary, give back the mesh") {
-  const Mesh given = ball(2);
+  const Mesh given = ball_mesh(2);
   for (const std::string& bytes : {as_text(given), as_binary(given)}) {
     const ScratchFile file(bytes, ".stl");
     const Triangles read = read_stl(file.path());
@@ -202,7 +165,7 @@ TEST_CASE("STL files, text and binary, give back the mesh") {
       }
     }
   }
-  const ScratchFile file(as_binary(cube()));
+  const ScratchFile file(as_binary(cube_mesh()));
   Mesh scaled = from_file(file.path());
   scaled.scale = 0.001;
   scaled.check(3);
@@ -210,50 +173,80 @@ TEST_CASE("STL files, text and binary, give back the mesh") {
   REQUIRE(scaled.bounds().upper == Vec3::Constant(0.001));
 }
 
+TEST_CASE("files of other programs are read: rounding, capitals, blanks, trailing bytes, copies") {
+  const auto volume_of = [](const std::string& bytes) {
+    const ScratchFile file(bytes, ".stl");
+    const Mesh mesh = from_file(file.path());
+    mesh.check(3);
+    return mesh.surface->volume();
+  };
+  std::string text = as_text(cube_mesh());
+  REQUIRE(volume_of("\xEF\xBB\xBF" + text) == Approx(1.0));
+  REQUIRE(volume_of("  \n " + text) == Approx(1.0));
+  std::string capitals = text;
+  for (char& letter : capitals) {
+    letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  }
+  REQUIRE(volume_of(capitals) == Approx(1.0));
+  REQUIRE(volume_of(as_binary(cube_mesh()) + '\0') == Approx(1.0));
+  Mesh twice = cube_mesh();
+  twice.triangles.push_back(twice.triangles.front());
+  REQUIRE(volume_of(as_binary(twice)) == Approx(1.0));
+  // One corner of one triangle off by less, and by more, than 1e-7 of the size.
+  const auto shifted = [&](const std::string& by) {
+    std::string other = text;
+    const std::size_t at = other.find("vertex 1 1 1");
+    return volume_of(other.replace(at, 12, "vertex 1 1 " + by));
+  };
+  REQUIRE(shifted("1.0000000000000002") == Approx(1.0));
+  REQUIRE(shifted("1.0000001") == Approx(1.0));
+  REQUIRE_THROWS_WITH(shifted("1.000001"), Contains("not closed"));
+}
+
 TEST_CASE("a mesh is filled like the box it is") {
   const Lattice lattice{Vec3::Zero(), 0.25, 2};
-  REQUIRE(fill(cube(), lattice, {}, 3).position ==
+  REQUIRE(fill(cube_mesh(), lattice, {}, 3).position ==
           fill(Box{{0, 0, 0}, {1, 1, 1}}, lattice, {}, 3).position);
   FillOptions options;
   options.clip = true;
-  const auto points = fill(cube(0.03, 0.97), lattice, options, 3);
+  const auto points = fill(cube_mesh(0.03, 0.97), lattice, options, 3);
   double sum = 0.0;
   for (double volume : points.volume) {
     sum += volume;
   }
-  REQUIRE(sum == Approx(std::pow(0.94, 3)).epsilon(1e-9));
+  REQUIRE(sum == Approx(std::pow(0.94, 3)).epsilon(1e-13));
 }
 
 TEST_CASE("unusable meshes are refused, naming the place") {
   const auto refused = [](const Mesh& mesh, const std::string& text) {
     REQUIRE_THROWS_WITH(check(mesh, 3), Contains(text));
   };
-  Mesh mesh = cube();
+  Mesh mesh = cube_mesh();
   mesh.triangles.pop_back();
   refused(mesh, "mesh: the surface is not closed");
   refused(mesh, "edge (1, 1, 0) to (1, 0, 1) lacks its other triangle (3 such edges)");
-  mesh = cube();
+  mesh = cube_mesh();
   std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
   refused(mesh, "turned inside out: edge");
-  mesh = cube();
+  mesh = cube_mesh();
   mesh.triangles[2][1] = 8;
   refused(mesh, "triangle 2 names vertex 8, there are vertices 0 to 7");
-  mesh = cube();
+  mesh = cube_mesh();
   mesh.triangles[2].pop_back();
   refused(mesh, "triangle 2 needs 3 vertices, got 2");
-  mesh = cube();
+  mesh = cube_mesh();
   mesh.vertices[1] = {0, 1};
   refused(mesh, "vertex 1 needs 3 numbers, got 2");
-  mesh = cube();
+  mesh = cube_mesh();
   mesh.scale = 0;
   refused(mesh, "mesh: scale must be positive");
   refused(Mesh{}, "give a file, or vertices and triangles");
-  mesh = cube();
+  mesh = cube_mesh();
   mesh.file = "x.stl";
   refused(mesh, "not both");
   refused(from_file("nowhere.stl"), "nowhere.stl: there is no such file");
-  REQUIRE_THROWS_WITH(check(cube(), 2), Contains("mesh needs a grid of 3 dimensions"));
-  REQUIRE_THROWS_WITH(cube().distance(Vec3::Zero()), Contains("call check(shape, 3) first"));
+  REQUIRE_THROWS_WITH(check(cube_mesh(), 2), Contains("mesh needs a grid of 3 dimensions"));
+  REQUIRE_THROWS_WITH(cube_mesh().distance(Vec3::Zero()), Contains("call check(shape, 3) first"));
 }
 
 TEST_CASE("broken STL files are refused, naming file and line") {
@@ -262,11 +255,11 @@ TEST_CASE("broken STL files are refused, naming file and line") {
     REQUIRE_THROWS_WITH(read_stl(file.path()), Contains(text) && Contains(file.path()));
   };
   refused("P2 1 1 1 1", "not an STL file, or cut short");
-  refused(as_binary(cube()).substr(0, 300), "not an STL file, or cut short");
+  refused(as_binary(cube_mesh()).substr(0, 300), "not an STL file, or cut short");
   refused("solid\nfacet\nouter loop\nvertex 0 0 zero\n", ":4: a vertex needs three numbers");
   refused("solid\nfacet\nvertex 0 0 1\nendloop\n", ":4: a facet needs three vertices, got 1");
   refused("solid\nfacet\nvertex 0 0 1\n", "ends within a facet");
-  std::string bytes = as_binary(cube());
+  std::string bytes = as_binary(cube_mesh());
   const float nan = std::nanf("");
   std::memcpy(bytes.data() + 84 + 50 + 12, &nan, 4);
   refused(bytes, "a vertex of triangle 1 is not finite");

@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "geometry/scratch_file.hpp"
+#include "lapilli/geometry/number_rows.hpp"
 #include "lapilli/geometry/sources.hpp"
 
 using namespace lapilli;
@@ -45,6 +46,27 @@ TEST_CASE("points are read with commas, semicolons, spaces, names and comments")
   REQUIRE(read_points(solid.path(), 3, 8.0).spacing == Approx(2.0));
 }
 
+TEST_CASE("no row is lost to a byte-order mark or quotes") {
+  for (const std::string& text :
+       {std::string("\xEF\xBB\xBF") + "0.5 1 0.25\n4 5 0.75\n",
+        std::string("\"0.5\",\"1\",\"0.25\"\r\n4,5,0.75\r\n"),
+        std::string("\xEF\xBB\xBF") + "\"x1\",\"x2\",\"volume\"\n0.5,1,0.25\n4,5,0.75\n"}) {
+    const ScratchFile file(text, ".csv");
+    const auto points = read_points(file.path(), 2);
+    REQUIRE(points.position == std::vector<double>{0.5, 1, 4, 5});
+    REQUIRE(points.volume == std::vector<double>{0.25, 0.75});
+  }
+}
+
+TEST_CASE("two columns are read, and refused where a row has not two") {
+  const ScratchFile file("time, flux\n0, 1\n2, -3e2\n", ".csv");
+  const TwoColumns columns = read_two_columns(file.path());
+  REQUIRE(columns.first == std::vector<double>{0, 2});
+  REQUIRE(columns.second == std::vector<double>{1, -300});
+  const ScratchFile three("0 1\n1 2 3\n");
+  REQUIRE_THROWS_WITH(read_two_columns(three.path()), Contains("line 2: two columns are needed"));
+}
+
 TEST_CASE("points are read from NumPy arrays") {
   const std::vector<double> rows = {0.5, 1, 0.25, 4, 5, 0.75};
   const ScratchFile file(npy(rows, "<f8", "(2, 3)"), ".npy");
@@ -63,15 +85,20 @@ TEST_CASE("unusable points are refused, naming file and line") {
     REQUIRE_THROWS_WITH(read_points(file.path(), 2, volume),
                         Contains(text) && Contains(file.path()));
   };
-  refused("1 2 3\n1 2 x\n", "line 2: 'x' is no number");
-  refused("x y\nu v\n", "line 2: 'u' is no number");
-  refused("1 y\n1 2\n", "line 1: 'y' is no number");
+  refused("1 2 3\n1 2 x\n", "line 2, column 3: 'x' is no number");
+  refused("x y\nu v\n", "line 2, column 1: 'u' is no number");
+  refused("1 y\n1 2\n", "line 1, column 2: 'y' is no number");
   refused("1 2 3\n1 2\n", "line 2: got 2 numbers, the rows before have 3", ".txt", 1.0);
   refused("1 2 3 4\n", "line 1: a point needs 2 coordinates and perhaps a volume, got 4 numbers");
   refused("1\n", "got 1 number");
   refused("1 2\n", "line 1: the file has no column of volumes and no volume was given");
   refused("1 2 3\n\n1 2 0\n", "line 3: the volume must be positive, got 0");
   refused("1 nan 3\n", "line 1: numbers must be finite");
+  refused("O.5 0.5 0.01\n0.6 0.6 0.01\n", "line 1, column 1: 'O.5' is no number");
+  refused("1e400 0.5 0.01\n", "line 1, column 1: '1e400' is too large");
+  refused("1 2 1.0D-2\n", "'1.0D-2' is no number; write the exponent with e");
+  refused("2\n1 2 3\n1 2 3\n", "got 1 number; is it a count of rows? leave it out");
+  refused("x,y,v,2\n1,2,3\n", "line 1, column 1: 'x' is no number");
   refused("# nothing\n", "the file holds no points");
   REQUIRE_THROWS_WITH(read_points("nowhere.csv", 2),
                       Contains("nowhere.csv: there is no such file"));

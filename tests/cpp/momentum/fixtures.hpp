@@ -105,10 +105,17 @@ struct Run {
   Index index = 0;
 };
 
-inline const VelocityTransfer all_transfers[] = {VelocityTransfer::flip, VelocityTransfer::apic,
+inline const VelocityTransfer all_transfers[] = {VelocityTransfer::blended_apic,
+                                                 VelocityTransfer::flip, VelocityTransfer::apic,
                                                  VelocityTransfer::tpic};
 inline const ShapeFunction all_shapes[] = {ShapeFunction::linear, ShapeFunction::gimp,
                                            ShapeFunction::bspline};
 inline const StressUpdate all_updates[] = {StressUpdate::usl, StressUpdate::musl};
+
+/// Under linear functions the affine transfers are refused, but for the blend.
+inline bool is_refused(VelocityTransfer transfer, ShapeFunction shape) {
+  return shape == ShapeFunction::linear &&
+         (transfer == VelocityTransfer::apic || transfer == VelocityTransfer::tpic);
+}
 
 }  // namespace momentum_test

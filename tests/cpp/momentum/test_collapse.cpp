@@ -86,13 +86,14 @@ TEST_CASE("a collapsing column closes its energy account") {
 }
 
 TEST_CASE("run-out of a short column lies between the published laws") {
-  // (d_inf - d_i) / d_i = a (Lajeunesse et al. 2005) to 1.2 a (Lube et al. 2005), widened by 15 %.
+  // (d_inf - d_i) / d_i = 1.2 a (Lube et al. 2005) to 1.35 times that: the laws for the plane reach
+  // 1.8 a (Lajeunesse et al. 2005), and nothing but friction damps here.
   auto run = column(1.0, 0.1, 3, StressUpdate::musl);
   collapse(*run, 1.0);
   const double run_out = front(*run) - 1.0;
   CAPTURE(run_out);
-  CHECK(run_out > 0.85 * 1.0);
-  CHECK(run_out < 1.15 * 1.2);
+  CHECK(run_out > 1.2);
+  CHECK(run_out < 1.35 * 1.2);
 }
 
 TEST_CASE("run-out over aspect ratio and cell size", "[.slow]") {
@@ -113,8 +114,8 @@ TEST_CASE("run-out over aspect ratio and cell size", "[.slow]") {
                 << " energy gap " << gap << " steps " << run->index);
       CHECK(std::abs(gap) < 0.01);
       if (aspect <= 1.5 && h < 0.1) {  // ten cells under a column of 0.5 m are too few
-        CHECK(run_out > 0.85 * aspect);
-        CHECK(run_out < 1.15 * 1.2 * aspect);
+        CHECK(run_out > 1.2 * aspect);
+        CHECK(run_out < 1.35 * 1.2 * aspect);
       }
     }
   }
@@ -136,7 +137,6 @@ double creep(double slope, double h, double time) {
                     }};
   run.add(body, 3, [=](const Vec<2>& x) { return x[1] < depth; });
   run.problem.settings.gravity = {g * std::sin(angle), -g * std::cos(angle)};
-  run.problem.settings.pic_share = 0.0;
   run.no_slip(0, 0);
   run.no_slip(0, 1);
   run.no_slip(1, 0);

@@ -6,8 +6,13 @@
 using namespace momentum_test;
 
 TEST_CASE("free fall is exact, also of a single point") {
-  for (ShapeFunction shape : all_shapes) {
-    for (StressUpdate update : all_updates) {
+  for (VelocityTransfer transfer : all_transfers) {
+    for (ShapeFunction shape : all_shapes) {
+      if (is_refused(transfer, shape)) {
+        continue;
+      }
+      const StressUpdate update =
+          shape == ShapeFunction::gimp ? StressUpdate::usl : StressUpdate::musl;
       Run<2> run(Grid<2>({0, 0}, {2, 20}, 0.5), shape);
       MomentumBody body{
           elastic(1000, 1e5, 0.3), 0.25, [](const Vec3&) { return Vec3(0.3, 0, 0); }, {}};
@@ -18,7 +23,9 @@ TEST_CASE("free fall is exact, also of a single point") {
       });
       run.problem.settings.gravity = {0, -9.81};
       run.problem.settings.stress_update = update;
+      run.problem.settings.transfer = transfer;
       run.start();
+      CAPTURE(name_of(transfer), name_of(shape));
       const std::vector<double> start(run.points.position().begin(), run.points.position().end());
       const std::vector<Index> id(run.points.id().begin(), run.points.id().end());
       run.until(1.5);
@@ -36,8 +43,8 @@ TEST_CASE("free fall is exact, also of a single point") {
 TEST_CASE("linear momentum is kept by every transfer without walls") {
   for (VelocityTransfer transfer : all_transfers) {
     for (ShapeFunction shape : all_shapes) {
-      if (transfer == VelocityTransfer::apic && shape == ShapeFunction::linear) {
-        continue;  // refused
+      if (is_refused(transfer, shape)) {
+        continue;
       }
       for (StressUpdate update : all_updates) {
         Run<2> run(Grid<2>({0, 0}, {4, 4}, 0.2), shape);
@@ -75,7 +82,10 @@ TEST_CASE("linear momentum is kept by every transfer without walls") {
 }
 
 TEST_CASE("a free spinning disk keeps its angular momentum and energy over ten turns") {
-  for (ShapeFunction shape : {ShapeFunction::gimp, ShapeFunction::bspline}) {
+  for (const auto& [shape, transfer] :
+       {std::pair(ShapeFunction::gimp, VelocityTransfer::apic),
+        std::pair(ShapeFunction::bspline, VelocityTransfer::apic),
+        std::pair(ShapeFunction::gimp, VelocityTransfer::blended_apic)}) {
     Run<2> run(Grid<2>({-0.8, -0.8}, {0.8, 0.8}, 0.1), shape);
     const double young = 1e6, density = 1000, radius = 0.5;
     // The rim at 2 % of the wave speed: the energy of the stretch is some 1e-4 of that of the spin.
@@ -85,13 +95,14 @@ TEST_CASE("a free spinning disk keeps its angular momentum and energy over ten t
              [spin](const Vec3& x) { return Vec3(-spin * x[1], spin * x[0], 0); },
              {}},
             2, [&](const Vec<2>& x) { return x.norm() < radius; });
-    run.problem.settings.transfer = VelocityTransfer::apic;
+    run.problem.settings.transfer = transfer;
     run.start();
     const double momentum = run.solver->angular_momentum()[2];
     const double energy = run.value("kinetic energy");
     run.until(10 * 2 * std::numbers::pi / spin);
-    CAPTURE(name_of(shape));
-    CHECK(std::abs(run.solver->angular_momentum()[2] / momentum - 1) < 1e-12);
+    CAPTURE(name_of(shape), name_of(transfer));
+    CHECK(std::abs(run.solver->angular_momentum()[2] / momentum - 1) <
+          (transfer == VelocityTransfer::apic ? 1e-12 : 1e-3));
     CHECK(std::abs((run.value("kinetic energy") + run.value("elastic energy")) / energy - 1) <
           1e-3);
   }
@@ -121,7 +132,6 @@ Pulse run_pulse(ShapeFunction shape, double h, double share) {
     run.roller(0, side);
     run.roller(1, side);
   }
-  run.problem.settings.pic_share = 0.0;
   run.start();
   const auto centre = [&] {
     double moment = 0, weight = 0;

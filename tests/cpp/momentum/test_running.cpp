@@ -84,8 +84,10 @@ void check_threads(ShapeFunction shape, StressUpdate update, VelocityTransfer tr
 TEST_CASE("momentum gives the same bytes for 1, 2 and 4 threads") {
   check_threads<2>(ShapeFunction::linear, StressUpdate::usl, VelocityTransfer::flip, 120);
   check_threads<2>(ShapeFunction::gimp, StressUpdate::musl, VelocityTransfer::tpic, 120);
+  check_threads<2>(ShapeFunction::gimp, StressUpdate::musl, VelocityTransfer::blended_apic, 120);
   check_threads<3>(ShapeFunction::linear, StressUpdate::musl, VelocityTransfer::flip, 50);
   check_threads<3>(ShapeFunction::bspline, StressUpdate::usl, VelocityTransfer::apic, 50);
+  check_threads<3>(ShapeFunction::gimp, StressUpdate::usl, VelocityTransfer::blended_apic, 50);
 }
 
 TEST_CASE("a run that is resumed in mid-collapse gives the same bytes") {
@@ -154,6 +156,7 @@ TEST_CASE("settings out of range are refused") {
     REQUIRE_THROWS_WITH(run->start(), Catch::Contains(says));
   };
   refused([](Run<2>& run) { run.problem.settings.pic_share = 1.1; }, "pic_share");
+  refused([](Run<2>& run) { run.problem.settings.blend_rate = -1.0; }, "blend_rate");
   refused([](Run<2>& run) { run.problem.settings.step_safety = 0.0; }, "step_safety");
   refused([](Run<2>& run) { run.problem.settings.gravity[0] = NAN; }, "gravity");
   refused([](Run<2>& run) { run.problem.settings.gravity = {1.0}; }, "gravity");
@@ -166,6 +169,16 @@ TEST_CASE("settings out of range are refused") {
       "coefficient");
   refused([](Run<2>& run) { run.problem.settings.transfer = VelocityTransfer::apic; },
           "gimp or bspline");
+  refused([](Run<2>& run) { run.problem.settings.transfer = VelocityTransfer::tpic; },
+          "gimp or bspline");
+  refused(
+      [](Run<2>& run) {
+        for (Index row = 0; row < run.points.size(); ++row) {
+          run.points.position()[2 * row] += 0.01 * std::sin(7.0 * static_cast<double>(row));
+          run.points.position()[2 * row + 1] += 0.01 * std::cos(9.0 * static_cast<double>(row));
+        }
+      },
+      "lattice");
   refused([](Run<2>& run) { run.problem.bodies.clear(); }, "bod");
   refused([](Run<2>& run) { run.problem.bodies[0].half_width = 0.6; }, "half width");
   refused([](Run<2>& run) { run.problem.bodies[0].material = elastic(0.0, 1e5, 0.3); }, "density");

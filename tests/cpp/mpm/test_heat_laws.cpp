@@ -86,7 +86,7 @@ TEST_CASE("Laws that share a node keep the ledger closed and act as one where th
                                                       scenes::by_id(parted, "temperature"));
       }
       CAPTURE(name_of(transfer), difference[0], difference[1]);
-      if (implicit) {
+      if (implicit || transfer == HeatTransfer::affine) {  // all laws at once
         CHECK(difference[0] < 1e-12);
       } else {  // laws one after the other: an error of the step, at shared nodes
         CHECK(difference[0] < 2e-3);
@@ -132,7 +132,7 @@ TEST_CASE("Laws see the surface, the temperature there and the time") {
     simulation.run_until(0.3);
     INFO(name_of(transfer));
     CHECK(calls >= 3);
-    CHECK(latest == Approx(0.2));
+    CHECK(latest == Approx(0.25));  // the middle of the last step
     CHECK(warmest >= 7.0);
     CHECK(farthest < 1.0);  // nodes two layers deep are projected to within a cell
     const double in = simulation.ledgers().front().entries.front().in;
@@ -145,7 +145,7 @@ TEST_CASE("A table is followed in time") {
   trial.settings.boundaries = {flux(Table{{0.0, 0.2, 0.4}, {0.0, 1.0, 0.0}})};
   Simulation simulation = trial.start(1.0, 0.1);
   simulation.run_until(0.6);
-  // Explicit: the values at the start of every step, 0, 0.5, 1, 0.5, 0, 0.
+  // The mean over every step, .25, .75, .75, .25, 0, 0.
   const double whole = diagnostic(simulation, "surface_area");
   CHECK(simulation.ledgers().front().entries.front().in == Approx(0.2 * whole).epsilon(1e-12));
 }

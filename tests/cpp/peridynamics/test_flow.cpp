@@ -278,7 +278,7 @@ bool survives(PrintedEquations printed, double density_diffusion, double time) {
   fluid.bodies[0].temperature = 0.5;
   settings.gravity = {0.0, -7.1e3};
   std::vector<std::unique_ptr<Physics>> physics;
-  auto heat = std::make_unique<PeridynamicHeat>(*points, walls, heat_settings, fluid);
+  auto heat = std::make_unique<PeridynamicHeat>(*points, walls, heat_settings, fluid, true);
   const PeridynamicHeat* warm = heat.get();
   physics.push_back(std::move(heat));
   // The physics keep the walls, which must not outlive the points.

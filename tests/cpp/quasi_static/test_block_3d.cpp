@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "lapilli/mpm/quasi_static/cut_fill.hpp"
+#include "lapilli/geometry/cell_fill.hpp"
 #include "quasi_static/scenes.hpp"
 
 using namespace lapilli;
@@ -51,7 +51,7 @@ CubeErrors solve_cube(const Mat3& turn, WallForm form) {
                        angle.angle() * 180.0 / std::numbers::pi,
                        {origin[0], origin[1], origin[2]},
                        {angle.axis()[0], angle.axis()[1], angle.axis()[2]}};
-  const FilledPoints filled = fill_exactly(cube, Lattice{low, 1.0, 1}, 3);
+  const FilledPoints filled = fill_cells(cube, Lattice{low, 1.0, 1}, {}, 3);
   points.append(filled.position, filled.volume, 0);
   const std::vector<double> start = filled.position;
   QuasiStatic<3> physics(points, Grid<3>(low, high, 1.0), ShapeFunction::linear, {elastic},

@@ -36,7 +36,8 @@ Pushed push(double h, WallForm form, double bandwidth) {
   settings.wall_form = form;
   settings.bandwidth = bandwidth;
   settings.ghost = 0.01;
-  settings.relaxation = 0.0;  // as the reference was run
+  settings.relaxation = 0.0;        // as the reference was run
+  settings.update_volumes = false;  //
   Corners top;
   for (double x = 140.0; x > -0.5 * h; x -= h) {
     top.push_back({x, roof(x)});

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -86,18 +87,18 @@ TEST_CASE("a mistake names file, line, column, key, and what is allowed") {
       Mistake{"cell = 0.1", "cell = 1979-05-27", "grid.cell must be a number in m, got a date"},
       Mistake{"cell = 0.1", "", "ring.toml:3:1: grid.cell is missing: size of a cell in m"},
       Mistake{"[-5.5, -5.5]", "[]", "ring.toml:4:9: grid.lower must hold 1 to 3 entries, got 0"},
-      Mistake{"[-5.5, -5.5]", "[1, true]", "grid.lower.1 must be a number in m, got true"},
+      Mistake{"[-5.5, -5.5]", "[1, true]", "grid.lower[1] must be a number in m, got true"},
       Mistake{"[-5.5, -5.5]", "1", "grid.lower must be a list, got 1"},
       Mistake{
           "\"kept\"", "\"kep\"",
           "ring.toml:11:12: heat.transfer knows no 'kep'; did you mean 'kept'? allowed: auto, "},
       Mistake{"\"kept\"", "1", "heat.transfer must be one of auto, kept"},
       Mistake{"\"annulus\"", "\"anulus\"",
-              "bodies.0.shape.kind knows no 'anulus'; did you mean 'annulus'"},
-      Mistake{"kind = \"annulus\", ", "", "bodies.0.shape.kind is missing: which of box"},
+              "bodies[0].shape.kind knows no 'anulus'; did you mean 'annulus'"},
+      Mistake{"kind = \"annulus\", ", "", "bodies[0].shape.kind is missing: which of box"},
       Mistake{"outer = 5", "outer = [5]",
-              "bodies.0.shape.outer must be a number in m, got a list of 1"},
-      Mistake{"[0, 1]", "[0, 0]", "heat.boundaries.0.ambient.times must increase"},
+              "bodies[0].shape.outer must be a number in m, got a list of 1"},
+      Mistake{"[0, 1]", "[1, 0]", "heat.boundaries[0].ambient.times must increase"},
       Mistake{"[0, 1]", "[0]", "needs as many values as times, got 2 and 1"},
       Mistake{"[heat]", "[hat]", "ring.toml:10:2: hat is no known key; did you mean 'heat'"},
       Mistake{"end = 10", "end = 10\nstep = \"fast\"",
@@ -109,6 +110,38 @@ TEST_CASE("a mistake names file, line, column, key, and what is allowed") {
   CHECK_THAT(message, Catch::Matchers::StartsWith("ring.toml:"));
 }
 
+TEST_CASE("all mistakes of a file are told at once, each with its line") {
+  std::string text = replaced(ring, "cell = 0.1", "cel = 0.1");
+  text = replaced(text, "outer = 5", "outer = -5");
+  text = replaced(text, "\"kept\"", "\"kep\"");
+  text = replaced(text, "end = 10", "end = \"soon\"");
+  const std::string all = error_of(text);
+  CAPTURE(all);
+  CHECK(std::count(all.begin(), all.end(), '\n') == 3);
+  for (const char* one : {"ring.toml:6:1: grid.cel is no known key",
+                          "ring.toml:8:", "ring.toml:11:12: heat.transfer knows no 'kep'",
+                          "ring.toml:17:7: time.end must be a number in s"}) {
+    CHECK_THAT(all, Contains(one));
+  }
+  CHECK_THAT(all, !Contains("grid.cell is missing"));  // it is what the misspelt key stands for
+}
+
+TEST_CASE("of many mistakes twenty are told, and how many more there are") {
+  std::string bodies;
+  for (int k = 0; k < 25; ++k) {
+    bodies += "[[bodies]]\nclip = 1\nmaterial = []\n";
+  }
+  const std::string all = error_of(replaced(ring, "[heat]\n", bodies + "[heat]\n"));
+  CHECK(std::count(all.begin(), all.end(), '\n') == 20);
+  CHECK_THAT(all, Contains("and 30 more"));
+}
+
+TEST_CASE("a key that was renamed names its successor") {
+  const std::string text =
+      replaced(ring, "[heat]\n", "[[monitors]]\nname = \"mid\"\nposition = [3, 0]\n[heat]\n");
+  CHECK_THAT(error_of(text), Contains("ring.toml:10:3: monitors is called 'probes' now"));
+}
+
 TEST_CASE("files that are none are named") {
   CHECK_THROWS_WITH(load_scene("/nowhere/ring.toml"), Contains("there is no such file"));
   CHECK_THROWS_WITH(load_scene("/tmp"), Contains("not a regular file"));
@@ -118,11 +151,11 @@ TEST_CASE("a function can be in a scene, not in a file") {
   Scene scene = parse_scene(ring, "ring.toml");
   std::get<Convection>(scene.heat->boundaries[0]).ambient = Value(ArrayFunction(
       [](std::span<const Vec3>, std::span<const double>, double, std::span<double>) {}));
-  CHECK_THROWS_WITH(to_toml(scene), Contains("heat.boundaries.0.ambient is given as function"));
+  CHECK_THROWS_WITH(to_toml(scene), Contains("heat.boundaries[0].ambient is given as function"));
   CHECK_THAT(to_json(scene), Contains("\"ambient\": \"function\""));
   scene = parse_scene(ring, "ring.toml");
   scene.bodies[0].points = GivenPoints{};
-  CHECK_THROWS_WITH(to_toml(scene), Contains("bodies.0.points is given as arrays"));
+  CHECK_THROWS_WITH(to_toml(scene), Contains("bodies[0].points is given as arrays"));
 }
 
 TEST_CASE("one member is set by its path") {
@@ -133,7 +166,7 @@ TEST_CASE("one member is set by its path") {
   CHECK(scene.bodies[0].points_per_cell == 9);
   apply_override(scene, "bodies.0.shape.inner=.5");
   CHECK(std::get<Annulus>(*scene.bodies[0].shape).inner == 0.5);
-  apply_override(scene, "bodies.0.material.density=2");
+  apply_override(scene, "bodies[0].material.density=2");
   CHECK(std::get<Thermal>(scene.bodies[0].material[0]).density == 2.0);
   apply_override(scene, "heat.transfer=flip");
   CHECK(scene.heat->transfer == HeatTransfer::flip);
@@ -160,10 +193,10 @@ TEST_CASE("an override that is wrong leaves the scene as it was") {
       Mistake{"grid.cell=", "--set: the value is missing"},
       Mistake{"grid.cell=1\nevil=2", "--set: the value is not valid TOML"},
       Mistake{"grid.cell.fine=1", "grid.cell has no parts"},
-      Mistake{"bodies.1.jitter=0.1",
-              "bodies.1 does not exist: bodies has 1 entries, counted from 0"},
-      Mistake{"bodies.0.shape.kind=disk", "bodies.0.shape.kind cannot change alone"},
-      Mistake{"bodies.0.motion.velocity=[1]", "bodies.0.motion.kind is missing"},
+      Mistake{"bodies[1].jitter=0.1",
+              "bodies[1] does not exist: bodies has 1 entries, counted from 0"},
+      Mistake{"bodies[0].shape.kind=disk", "bodies[0].shape.kind cannot change alone"},
+      Mistake{"bodies[0].motion.velocity=[1]", "bodies[0].motion.kind is missing"},
       Mistake{"=1", "--set needs key=value"}, Mistake{".=1", "is no known key"});
   Scene scene = parse_scene(ring, "ring.toml");
   CHECK_THROWS_WITH(apply_override(scene, mistake.assignment), Contains(mistake.message));

@@ -1,6 +1,7 @@
 """Scenes as Python objects: nesting, files, functions, overrides."""
 
 import copy
+import inspect
 import pickle
 from pathlib import Path
 
@@ -80,7 +81,7 @@ def test_set_gives_a_changed_copy(ring: lp.Scene) -> None:
         (lambda: lp.Heat(transfer="flp"), "unknown Heat.transfer 'flp'; did you mean 'flip'"),
         (lambda: lp.Union(shapes=[lp.Disk(radius=1), 3]), r"Union.shapes\[1\] must be a shape"),
         (lambda: lp.Flux(value="x"), "value must be a number, a Table, a pair"),
-        (lambda: lp.Flux(value=([0, 0], [1, 2])), "needs times that increase"),
+        (lambda: lp.Flux(value=([1, 0], [1, 2])), "needs times that increase"),
         (lambda: lp.Time(end=1, step="automatic"), "step must be a number"),
         (lambda: lp.Heat(boundaries=[lp.Disk(radius=1)]), r"boundaries\[0\] must be Flux \| "),
     ],
@@ -109,3 +110,68 @@ def test_shapes_nest_and_tell_distances() -> None:
     assert isinstance(washer, lp.Shape)
     distances = washer.distance(np.array([[0.0, 0.0], [1.5, 0.0], [3.0, 0.0]]))
     np.testing.assert_allclose(distances, [1.0, -0.5, 1.0])
+
+
+def test_set_takes_python_values_by_path(ring: lp.Scene) -> None:
+    changed = ring.set("grid.cell", 0.25).set("bodies[0].points_per_cell", 9)
+    assert (changed.grid.cell, changed.bodies[0].points_per_cell) == (0.25, 9)
+    assert (ring.grid.cell, ring.bodies[0].points_per_cell) == (0.5, 4)
+    assert changed.set("bodies.0.shape", lp.Disk(radius=2)).bodies[0].shape == lp.Disk(radius=2)
+    assert ring.set("bodies[0].material.density", 3).bodies[0].material.density == 3
+    table = lp.Table(times=[0, 1], values=[1, 2])
+    assert ring.set("heat.boundaries[0].ambient", table).heat.boundaries[0].ambient == table
+    assert ring.set("heat", None).heat is None
+    assert ring.heat is not None
+    for path, value, says in (
+        ("grid.cell", -1, "above 0"),
+        ("grid.cel", 1, "cell"),
+        ("bodies[1].clip", True, "no entry 1"),
+        ("momentum.pic_share", 0.1, "absent"),
+    ):
+        with pytest.raises((ValueError, AttributeError), match=says):
+            ring.set(path, value)
+
+
+def test_files_are_named_by_paths_too(ring: lp.Scene, tmp_path: Path) -> None:
+    ring.save(tmp_path / "ring.toml")
+    assert lp.Scene.load(tmp_path / "ring.toml") == ring
+    with pytest.raises(TypeError):
+        lp.Scene.load(3)
+
+
+def test_signatures_are_seen_by_inspect() -> None:
+    signature = inspect.signature(lp.Grid)
+    assert list(signature.parameters) == ["lower", "upper", "cell", "shape_function"]
+    assert signature.parameters["cell"].default is inspect.Parameter.empty
+    assert signature.parameters["shape_function"].default == "gimp"
+    assert signature.parameters["cell"].kind is inspect.Parameter.KEYWORD_ONLY
+    assert signature.parameters["cell"].annotation == "float"
+
+
+def test_a_subclass_is_refused_not_sliced() -> None:
+    class Sand(lp.MohrCoulomb):
+        pass
+
+    sand = Sand(
+        density=1, youngs_modulus=1, poissons_ratio=0.3, friction=30, dilation=0, cohesion=0
+    )
+    with pytest.raises(TypeError, match="must be"):
+        lp.Body(shape=lp.Disk(radius=1), material=sand)
+
+
+def test_all_mistakes_of_a_text_are_told_at_once() -> None:
+    text = "[grid]\nlower = [0]\nupper = 1\ncell = -1\n[[bodies]]\n[time]\nend = 0\n"
+    with pytest.raises(ValueError, match="four.toml:3:9: grid.upper") as caught:
+        lp.Scene.parse(text, "four.toml")
+    lines = str(caught.value).splitlines()
+    assert len(lines) == 4
+    assert all(line.startswith("four.toml:") for line in lines)
+
+
+def test_reports_show_themselves(ring: lp.Scene) -> None:
+    simulation = lp.Simulation(ring)
+    assert repr(simulation.step()).startswith("<step of ")
+    result = lp.run(ring, progress=False)
+    assert repr(result.summary).startswith("<finished at 1 s after ")
+    assert result.ledger["heat"] == result.ledger["heat"]
+    assert result.ledger["heat"] != 3

@@ -86,7 +86,8 @@ def test_a_table_is_linear_between_its_times_and_constant_outside() -> None:
     [
         ([], [], "without times"),
         ([0, 1], [1], "got 1 and 2"),
-        ([0, 0], [1, 2], "times that increase"),
+        ([1, 0], [1, 2], "times that increase"),
+        ([0, 0, 0], [1, 2, 3], "two equal times, not three, are a jump"),
     ],
 )
 def test_a_table_that_is_none_is_refused(times, values, says: str) -> None:

@@ -105,7 +105,7 @@ def test_values_beyond_reason_are_unstable() -> None:
 
 
 def measured(cell: str, error: float | None, seconds: float, repeat: int = 0) -> Measurement:
-    cost = Cost(seconds, 0.0, seconds, 10, 100, 1000)
+    cost = Cost(0.75 * seconds, 0.25 * seconds, seconds, 10, 100, 1000)  # stepping, building
     reason = "" if error is not None else "unstable"
     return Measurement(Setting((("grid.cell", cell),)), repeat, error, error, reason, cost)
 

@@ -16,7 +16,8 @@ void add_stored_heat(std::span<const double> capacity, std::span<const double> t
       high = std::max(high, temperature[k]);
     }
   }
-  ledger.scale = total * (high - low);
+  ledger.scale = total > 0.0 ? total * (high - low) : 0.0;
+  ledger.bar = 1e-6;  // measured: rounding, 1e-12 and less
 }
 
 template <int Dim>

@@ -10,8 +10,8 @@
 
 namespace lapilli {
 
-/// Enter what a body stores, sum C T (J), and the scale of its balance: all of its capacity over
-/// the range of its temperatures. Entries without capacity do not count.
+/// Enter what a body stores, sum C T (J), the scale of its balance, all of its capacity over the
+/// range of its temperatures, and the bar. Entries without capacity do not count.
 void add_stored_heat(std::span<const double> capacity, std::span<const double> temperature,
                      Ledger& ledger);
 

@@ -8,6 +8,7 @@
 #include "lapilli/mpm/cell_order.hpp"
 #include "lapilli/mpm/heat/nodal_assembly.hpp"
 #include "lapilli/mpm/heat/step_bound.hpp"
+#include "lapilli/mpm/heat/temperature_range.hpp"
 
 namespace lapilli {
 namespace {
@@ -24,7 +25,7 @@ HeatAtRest<Dim>::HeatAtRest(Points& points, HeatProblem<Dim> problem)
       problem_(std::move(problem)),
       coefficients_(problem_.bodies, problem_.shape),
       transfer_(chosen_transfer(problem_.settings)),
-      laws_(problem_.settings.boundaries) {
+      laws_(problem_.settings.boundaries, absolute_zero(problem_.settings)) {
   require(
       problem_.settings.stepping == HeatStepping::explicit_euler || transfer_ == HeatTransfer::kept,
       "heat.stepping = \"theta\" needs heat.transfer = \"kept\", got \"", name_of(transfer_), "\"");
@@ -38,6 +39,7 @@ void HeatAtRest<Dim>::assemble() {
   const Grid<Dim>& grid = problem_.grid;
   const std::vector<double> capacity = point_capacities(points_, problem_.bodies);
   const std::vector<double> start = initial_temperatures(points_, problem_.bodies);
+  require_absolute(problem_, points_, start);
   NodalSums<Dim> sums = nodal_sums(points_, problem_, coefficients_);
   NodalOperators<Dim> operators =
       assemble_operators(points_, problem_, coefficients_, capacity, carries_points());
@@ -113,6 +115,10 @@ void HeatAtRest<Dim>::bound_step() {
   if (carries_points() && problem_.bodies.size() == 1) {
     const double multiple = carried_limit(transfer_, problem_.shape);
     limit_.hard = std::max(by_operator, multiple * h * h / coefficients_.largest_diffusivity);
+    if (transfer_ == HeatTransfer::flip) {
+      const double carried = fastest_carried_rate(*conduction_, *capacity_, lumped_);
+      limit_.hard = carried > 0.0 ? std::min(limit_.hard, 2.0 / carried) : limit_.hard;
+    }
     limit_.automatic = 0.8 * limit_.hard;
     limit_.reason = message("explicit heat, ", name_of(transfer_), ": ", multiple, " h^2/alpha");
   } else {
@@ -156,13 +162,19 @@ template <int Dim>
 void HeatAtRest<Dim>::exchange_with_surroundings(const Step& step) {
   if (source_) {
     double heat = 0.0;
-    source_->for_each(temperature_, step.time, [&](Index place, double rate) {
-      increment_[place] += step.size * inverse_[place] * rate;
-      heat += step.size * rate;
-    });
+    for (const auto& n : source_->evaluate_over(temperature_, step.time, step.time + step.size)) {
+      for (std::size_t k = 0; k < n.node.size(); ++k) {
+        const Index place = n.node[k];
+        const double slope = std::max(n.slope[k], 0.0);
+        const double rise = step.size * (n.rate[k] - slope * increment_[place]) /
+                            (lumped_[place] + step.size * slope);
+        increment_[place] += rise;
+        heat += lumped_[place] * rise;
+      }
+    }
     source_->book(heat);
   }
-  laws_.evaluate(temperature_, step.time);
+  laws_.evaluate_over(temperature_, step.time, step.time + step.size);
   for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
     const auto& n = laws_.nodes()[law];
     double heat = 0.0;

@@ -9,8 +9,6 @@
 namespace lapilli {
 namespace {
 
-double fourth_power(double x) { return x * x * x * x; }
-
 bool is_held(const HeatBoundary& law) { return std::holds_alternative<PrescribedTemperature>(law); }
 
 }  // namespace
@@ -33,8 +31,8 @@ void HeatLaws<Dim>::Account::add(double value) {
 }
 
 template <int Dim>
-HeatLaws<Dim>::HeatLaws(const std::vector<HeatBoundary>& laws)
-    : laws_(laws), nodes_(laws.size()), account_(laws.size()) {
+HeatLaws<Dim>::HeatLaws(const std::vector<HeatBoundary>& laws, double absolute_zero)
+    : laws_(laws), nodes_(laws.size()), account_(laws.size()), zero_(absolute_zero) {
   for (const HeatBoundary& law : laws_) {
     if (const Shape* region = region_of(law)) {
       check(*region, Dim);
@@ -45,6 +43,13 @@ HeatLaws<Dim>::HeatLaws(const std::vector<HeatBoundary>& laws)
 template <int Dim>
 bool HeatLaws<Dim>::has_held_temperature() const {
   return std::any_of(laws_.begin(), laws_.end(), is_held);
+}
+
+template <int Dim>
+bool HeatLaws<Dim>::has_radiation() const {
+  return std::any_of(laws_.begin(), laws_.end(), [](const HeatBoundary& law) {
+    return std::holds_alternative<Radiation>(law);
+  });
 }
 
 template <int Dim>
@@ -134,6 +139,27 @@ void HeatLaws<Dim>::place_probes(
 }
 
 template <int Dim>
+void HeatLaws<Dim>::place_traces(
+    const Grid<Dim>& grid,
+    const std::function<std::vector<std::pair<Index, double>>(const Vec3&, Index)>& trace,
+    const std::function<double(Index, const Vec<Dim>&)>& conductivity, double hold) {
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    Nodes& n = nodes_[law];
+    n.trace.clear();
+    n.trace_begin.assign(1, 0);
+    n.conductance.clear();
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      const auto entries = trace(n.position[k], n.node[k]);
+      n.trace.insert(n.trace.end(), entries.begin(), entries.end());
+      n.trace_begin.push_back(n.trace.size());
+      if (is_held(laws_[law])) {
+        n.conductance.push_back(hold * conductivity(n.node[k], n.normal[k]) / grid.cell_size());
+      }
+    }
+  }
+}
+
+template <int Dim>
 void HeatLaws<Dim>::require_all_used() const {
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     require(!nodes_[law].node.empty(), "heat.boundaries.", law, " (", name_of_law(laws_[law], law),
@@ -144,86 +170,11 @@ void HeatLaws<Dim>::require_all_used() const {
 }
 
 template <int Dim>
-void HeatLaws<Dim>::evaluate(std::span<const double> temperature, double time) {
-  constexpr std::size_t corners = 1 << Dim;
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    Nodes& n = nodes_[law];
-    const std::size_t count = n.node.size();
-    first_.resize(count);
-    second_.resize(count);
-    const bool held = is_held(laws_[law]);
-    for (std::size_t k = 0; k < count; ++k) {
-      if (held) {
-        n.state[k] = 0.0;
-        for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
-          n.state[k] += n.probe[c].second * temperature[n.probe[c].first];
-        }
-      } else {
-        n.state[k] = temperature[n.node[k]];
-      }
-    }
-    const auto fill = [&](const Value& value, std::vector<double>& to) {
-      value.evaluate(n.position, n.state, time, to);
-    };
-    if (const auto* flux = std::get_if<PrescribedFlux>(&laws_[law])) {
-      fill(flux->value, first_);
-      std::fill(n.slope.begin(), n.slope.end(), 0.0);
-      if (flux->value.is_function()) {
-        // The slope of a function, by a difference: a flux that falls with the temperature is taken
-        // at the end of the step like convection.
-        double span = 1.0;
-        for (const double state : n.state) {
-          span = std::max(span, std::abs(state));
-        }
-        const double rise = 1e-6 * span;
-        std::vector<double> warmer(n.state);
-        for (double& state : warmer) {
-          state += rise;
-        }
-        flux->value.evaluate(n.position, warmer, time, second_);
-        for (std::size_t k = 0; k < count; ++k) {
-          n.slope[k] = n.area[k] * std::max(0.0, (first_[k] - second_[k]) / rise);
-        }
-      }
-      for (std::size_t k = 0; k < count; ++k) {
-        n.rate[k] = n.area[k] * first_[k];
-      }
-    } else if (const auto* convection = std::get_if<Convection>(&laws_[law])) {
-      fill(convection->coefficient, first_);
-      fill(convection->ambient, second_);
-      for (std::size_t k = 0; k < count; ++k) {
-        n.slope[k] = n.area[k] * first_[k];
-        n.rate[k] = n.slope[k] * (second_[k] - n.state[k]);
-      }
-    } else if (const auto* radiation = std::get_if<Radiation>(&laws_[law])) {
-      fill(radiation->emissivity, first_);
-      fill(radiation->ambient, second_);
-      for (std::size_t k = 0; k < count; ++k) {
-        const double factor = n.area[k] * first_[k] * radiation->stefan_boltzmann;
-        const double state = std::max(n.state[k], 0.0);
-        n.rate[k] = factor * (fourth_power(second_[k]) - fourth_power(state));
-        n.slope[k] = 4.0 * factor * state * state * state;
-      }
-    } else {
-      fill(std::get<PrescribedTemperature>(laws_[law]).value, first_);
-      for (std::size_t k = 0; k < count; ++k) {
-        n.slope[k] = 0.0;
-        const double conductance = n.area[k] * n.conductance[k];
-        for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
-          n.slope[k] += n.probe[c].first == n.node[k] ? conductance * n.probe[c].second : 0.0;
-        }
-        n.rate[k] = conductance * (first_[k] - n.state[k]);
-      }
-    }
-  }
-}
-
-template <int Dim>
 std::vector<NodeCoupling> HeatLaws<Dim>::couplings() const {
   constexpr std::size_t corners = 1 << Dim;
   std::vector<NodeCoupling> all;
   for (const Nodes& nodes : nodes_) {
-    for (std::size_t k = 0; k < nodes.conductance.size(); ++k) {
+    for (std::size_t k = 0; !nodes.probe.empty() && k < nodes.conductance.size(); ++k) {
       for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
         if (nodes.probe[c].first != nodes.node[k]) {
           all.push_back({nodes.node[k], nodes.probe[c].first,

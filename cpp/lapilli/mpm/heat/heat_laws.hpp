@@ -37,12 +37,17 @@ class HeatLaws {
     // Held temperatures only:
     std::vector<double> conductance;              // conductivity / probe depth, W/(m^2 K)
     std::vector<std::pair<Index, double>> probe;  // 2^dim nodes and weights an entry
+    // Where laws act on the temperature of the surface itself: nodes and weights of every entry.
+    std::vector<std::pair<Index, double>> trace;
+    std::vector<std::size_t> trace_begin;  // one more than entries
   };
 
-  explicit HeatLaws(const std::vector<HeatBoundary>& laws);
+  /// `absolute_zero` in the unit of the temperatures: 0 in K, -273.15 in degrees Celsius.
+  explicit HeatLaws(const std::vector<HeatBoundary>& laws, double absolute_zero = 0.0);
 
   bool empty() const { return laws_.empty(); }
   bool has_held_temperature() const;
+  bool has_radiation() const;
   bool is_linear() const;           // no radiation, no callable
   bool has_constant_slope() const;  // besides, no coefficient tabulated in time
   const std::vector<Nodes>& nodes() const { return nodes_; }
@@ -55,6 +60,13 @@ class HeatLaws {
   /// active: a thin plate has fewer there. `conductivity` is the nodal n.k.n (W/(m K)).
   void place_probes(const Grid<Dim>& grid, const std::function<bool(Index)>& is_active,
                     const std::function<double(Index, const Vec<Dim>&)>& conductivity);
+
+  /// Let laws act on the temperature of the surface itself, trace(position, node) of every entry;
+  /// a prescribed temperature becomes an exchange of `hold` times conductivity / cell.
+  void place_traces(
+      const Grid<Dim>& grid,
+      const std::function<std::vector<std::pair<Index, double>>(const Vec3&, Index)>& trace,
+      const std::function<double(Index, const Vec<Dim>&)>& conductivity, double hold);
 
   /// Replace every node number by number(node), for temperatures stored in another order.
   template <class Number>
@@ -72,8 +84,13 @@ class HeatLaws {
   /// Throws std::invalid_argument when a law's region selects no surface.
   void require_all_used() const;
 
-  /// Rates and slopes at the nodal temperatures (indexed by node) and the time.
+  /// Rates and their tangents at the nodal temperatures (indexed by node) and one time, for
+  /// Newton's method.
   void evaluate(std::span<const double> temperature, double time);
+  /// Rates and slopes for one explicit step, tables by their means over it and functions at its
+  /// middle. The slope of radiation is the secant to its ambient, sigma e (Ta^2 + T^2)(Ta + T): at
+  /// a cold start the tangent 4 sigma e T^3 restores nothing, and the step would pass the ambient.
+  void evaluate_over(std::span<const double> temperature, double begin, double end);
   /// Add to a law's account. `heat` came in (J).
   void book(std::size_t law, double heat) { account_[law].add(heat); }
 
@@ -93,9 +110,25 @@ class HeatLaws {
     void add(double value);
   };
 
+  void evaluate_between(std::span<const double> temperature, double begin, double end);
+  void read_states(std::size_t law, std::span<const double> temperature);
+  void evaluate_flux(const PrescribedFlux& law, Nodes& nodes);
+  void evaluate_convection(const Convection& law, Nodes& nodes);
+  void evaluate_radiation(const Radiation& law, Nodes& nodes);
+  void evaluate_held(Nodes& nodes);
+  /// Fill with a value's means over the span of time, or its values where that is an instant.
+  void fill(const Value& value, const Nodes& nodes, std::vector<double>& values) const;
+  /// As fill, the mean of a power weighted by the value before: of coefficient ambient^power.
+  void fill_ambient(const Value& coefficient, const Value& ambient, int power, const Nodes& nodes,
+                    std::vector<double>& values) const;
+  void require_absolute(std::size_t law, std::span<const double> values) const;
+
   std::vector<HeatBoundary> laws_;
   std::vector<Nodes> nodes_;
   std::vector<Account> account_;
+  double zero_ = 0.0;               // absolute zero in the scene's unit
+  double begin_ = 0.0, end_ = 0.0;  // s, the span of time being evaluated
+  bool secant_ = false;
   std::vector<double> first_, second_;  // scratch of evaluate
 };
 

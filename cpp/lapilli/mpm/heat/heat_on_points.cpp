@@ -13,6 +13,13 @@
 namespace lapilli {
 namespace {
 
+// Exchange from which the temperature of the surface itself counts, coefficient h / conductivity:
+// below it, the temperatures of the nodes around serve as well and cost less.
+constexpr double strong = 0.05;
+// Exchange that stands for a prescribed temperature, in conductivity / cell: ten times more would
+// take ten times the rounds, for a heat that is right to half a percent in either case.
+constexpr double hold = 100.0;
+
 HeatTransfer chosen_transfer(const HeatSettings& settings) {
   return settings.transfer == HeatTransfer::automatic ? HeatTransfer::affine : settings.transfer;
 }
@@ -30,7 +37,7 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
       capacity_(points, 1),
       order_(problem_.grid, support_of(problem_.shape)),
       grid_(problem_.grid, problem_.shape, coefficients_, !problem_.settings.boundaries.empty()),
-      laws_(problem_.settings.boundaries) {
+      laws_(problem_.settings.boundaries, absolute_zero(problem_.settings)) {
   require(transfer_ != HeatTransfer::kept,
           "heat.transfer = \"kept\" needs points at rest that no method \"particle\" reads");
   require(!affine_ || problem_.shape != ShapeFunction::linear, "heat.transfer = \"",
@@ -42,6 +49,8 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
   order_.update(points_);
   const std::vector<double> capacity = point_capacities(points_, problem_.bodies);
   const std::vector<double> start = initial_temperatures(points_, problem_.bodies);
+  require_absolute(problem_, points_, start);
+  range_ = diverged_beyond(problem_, start);
   std::copy(capacity.begin(), capacity.end(), capacity_.data());
   std::copy(start.begin(), start.end(), temperature_.data());
   if (affine_) {
@@ -50,6 +59,9 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
     map_initial(points_, problem_, coefficients_, capacity, start, &gradient);
     std::copy(gradient.begin(), gradient.end(), gradient_->data());
   }
+  at_surface_ = transfer_ == HeatTransfer::affine && problem_.settings.implicit_exchange &&
+                problem_.settings.method == FluxMethod::virtual_flux &&
+                (laws_.has_held_temperature() || exchanges_strongly(problem_, strong));
   if (!laws_.empty()) {
     surface_ = std::make_unique<HeatSurface<Dim>>(points_, problem_);
     if (transfer_ == HeatTransfer::flip && problem_.settings.implicit_exchange) {
@@ -63,11 +75,20 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
   if (HeatSource<Dim>::is_present(problem_.bodies)) {
     source_.emplace(problem_.bodies);
   }
+  if (transfer_ == HeatTransfer::flip) {
+    const NodalOperators<Dim> operators =
+        assemble_operators(points_, problem_, coefficients_, capacity, true);
+    carried_limit_ =
+        2.0 / fastest_carried_rate(*operators.conduction, *operators.capacity, operators.lumped);
+  }
   bound_step();
   project_to_grid();
   if (!laws_.empty()) {
     find_surface();
     laws_.require_all_used();
+  }
+  if (source_ && source_->depends_on_state()) {
+    find_growth(0.0);
   }
   initial_ = ledgers().front().stored;
 }
@@ -79,6 +100,20 @@ void HeatOnPoints<Dim>::bound_step() {
   }
   limited_ordering_ = points_.ordering();
   limit_ = explicit_step_limit(points_, problem_, coefficients_, capacity_.values(), transfer_);
+  if (limit_.hard > carried_limit_) {
+    limit_.automatic *= carried_limit_ / limit_.hard;
+    limit_.hard = carried_limit_;
+  }
+}
+
+template <int Dim>
+StepLimit HeatOnPoints<Dim>::step_limit() const {
+  StepLimit limit = limit_;
+  if (growth_ > 0.0 && 0.2 / growth_ < limit.automatic) {
+    limit.automatic = 0.2 / growth_;
+    limit.reason = "a source that heats itself";
+  }
+  return limit;
 }
 
 template <int Dim>
@@ -86,15 +121,16 @@ StepReport HeatOnPoints<Dim>::advance(const Step& step) {
   order_.update(points_);
   bound_step();
   project_to_grid();
+  require_in_range();
   find_surface();
   conduct();
   exchange_with_surroundings(step);
-  solve_nodes(step.size);
+  solve_nodes(step);
   update_points(step);
   if (step.look || step.index % 128 == 0) {
     require_finite();
   }
-  return {step.size, 0, 0.0};
+  return {step.size, iterations_, 0.0};
 }
 
 template <int Dim>
@@ -115,8 +151,12 @@ void HeatOnPoints<Dim>::find_surface() {
     laws_.assign(problem_.grid, areas, [&] { return projected_places<Dim>(areas); });
     return;
   }
-  const NodalAreas<Dim> areas = surface_->areas(points_, coefficients_, grid_.sums);
+  NodalAreas<Dim> areas = surface_->areas(points_, coefficients_, grid_.sums);
   negative_share_ = areas.negative_share();
+  if (at_surface_) {
+    find_surface_itself(areas);
+    return;
+  }
   laws_.assign(problem_.grid, areas, [&] {
     return surface_places<Dim>(problem_.grid, points_, problem_.shape, coefficients_.half_width,
                                areas);
@@ -129,89 +169,24 @@ void HeatOnPoints<Dim>::find_surface() {
 }
 
 template <int Dim>
+void HeatOnPoints<Dim>::find_surface_itself(NodalAreas<Dim>& areas) {
+  const auto places =
+      surface_places<Dim>(problem_.grid, points_, problem_.shape, coefficients_.half_width, areas);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    areas.position[k] = places[k].centre;
+  }
+  laws_.assign(problem_.grid, areas, [&] { return places; });
+  const auto trace = [&](const Vec3& place, Index node) {
+    return surface_trace<Dim>(problem_.grid, problem_.shape, coefficients_.half_width.front(),
+                              place.template head<Dim>(), grid_.sums.fraction, node);
+  };
+  laws_.place_traces(problem_.grid, trace,
+                     nodal_conductivity(points_, problem_, coefficients_, grid_.sums), hold);
+}
+
+template <int Dim>
 void HeatOnPoints<Dim>::conduct() {
   grid_.conduct(points_, order_);
-}
-
-template <int Dim>
-void HeatOnPoints<Dim>::exchange_with_surroundings(const Step& step) {
-  if (source_) {
-    source_->assign(points_, problem_, coefficients_.half_width);
-    double heat = 0.0;
-    source_->for_each(grid_.temperature, step.time, [&](Index node, double rate) {
-      grid_.rate[node] += rate;
-      heat += step.size * rate;
-    });
-    source_->book(heat);
-  }
-  if (laws_.empty()) {
-    return;
-  }
-  if (problem_.settings.method == FluxMethod::particle) {
-    exchange_at_points(step);
-    return;
-  }
-  laws_.evaluate(grid_.temperature, step.time);
-}
-
-template <int Dim>
-void HeatOnPoints<Dim>::exchange_at_points(const Step& step) {
-  laws_.evaluate(temperature_.values(), step.time);
-  for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
-    const auto& n = laws_.nodes()[law];
-    double heat = 0.0;
-    for (std::size_t k = 0; k < n.node.size(); ++k) {
-      const Index row = n.node[k];
-      heat += step.size * n.rate[k];
-      with_shape(problem_.shape, coefficients_.half_width[points_.body()[row]], [&](auto shape) {
-        const Weights<Dim, decltype(shape)> weights(problem_.grid, shape,
-                                                    points_.position().data() + row * Dim);
-        weights.for_each_node(problem_.grid, [&](Index node, double s, const Vec<Dim>&) {
-          grid_.rate[node] += s * n.rate[k];
-        });
-      });
-    }
-    laws_.book(law, heat);
-  }
-}
-
-template <int Dim>
-void HeatOnPoints<Dim>::solve_nodes(double step) {
-  grid_.for_active_nodes([&, step](Index begin, Index end) {
-    const double* capacity = grid_.capacity.data();
-    const double* rate = grid_.rate.data();
-    double* increment = grid_.increment.data();
-    for (Index node = begin; node < end; ++node) {
-      increment[node] = capacity[node] > 0.0 ? step * rate[node] / capacity[node] : 0.0;
-    }
-  });
-  if (problem_.settings.method == FluxMethod::particle) {
-    return;
-  }
-  for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
-    const auto& n = laws_.nodes()[law];
-    double heat = 0.0;
-    for (std::size_t k = 0; k < n.node.size(); ++k) {
-      const double capacity = grid_.capacity[n.node[k]];
-      if (!(capacity > 0.0)) {
-        continue;
-      }
-      // The law at the end of the step: (C + dt slope) dT = dt (others + rate). In this form the
-      // heat stays exact where a stiff law leaves a small difference of large rates.
-      const double slope = problem_.settings.implicit_exchange ? n.slope[k] : 0.0;
-      double& increment = grid_.increment[n.node[k]];
-      const double rise = step * (n.rate[k] - slope * increment) / (capacity + step * slope);
-      if (!relaxation_.empty() && n.area[k] > 0.0) {
-        const double biot = slope / n.area[k] * problem_.grid.cell_size() / conductivity_;
-        relaxation_[n.node[k]] =
-            std::clamp(biot - 1.0, 0.0, 1.0) * step * slope / (capacity + step * slope);
-        relaxes_ = relaxes_ || biot > 1.0;
-      }
-      increment += rise;
-      heat += capacity * rise;
-    }
-    laws_.book(law, heat);
-  }
 }
 
 template <int Dim>
@@ -227,33 +202,6 @@ double HeatOnPoints<Dim>::blend(double step) const {
     default:
       return 1.0;
   }
-}
-
-template <int Dim>
-void HeatOnPoints<Dim>::relax_points() {
-  if (!relaxes_) {
-    return;
-  }
-  // T_p += sum S_I beta_I (T_I - T_p) keeps the heat of every node; with the increment
-  // beta_I (ambient - T_I) of the law, what a point carries becomes a mean of itself and ambient.
-  parallel_for(points_.size(), [&](Index row) {
-    const std::size_t body = points_.body()[row];
-    with_shape(problem_.shape, coefficients_.half_width[body], [&](auto shape) {
-      const Weights<Dim, decltype(shape)> weights(problem_.grid, shape,
-                                                  points_.position().data() + row * Dim);
-      double change = 0.0;
-      weights.for_each_node(problem_.grid, [&](Index node, double s, const Vec<Dim>&) {
-        change += s * relaxation_[node] * (grid_.temperature[node] - temperature_[row]);
-      });
-      temperature_[row] += change;
-    });
-  });
-  for (const auto& n : laws_.nodes()) {
-    for (const Index node : n.node) {
-      relaxation_[node] = 0.0;
-    }
-  }
-  relaxes_ = false;
 }
 
 template <int Dim>

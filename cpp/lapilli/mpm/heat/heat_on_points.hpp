@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -10,6 +11,8 @@
 #include "lapilli/mpm/heat/heat_source.hpp"
 #include "lapilli/mpm/heat/heat_surface.hpp"
 #include "lapilli/mpm/heat/point_grid_transfer.hpp"
+#include "lapilli/mpm/heat/surface_trace.hpp"
+#include "lapilli/mpm/heat/temperature_range.hpp"
 
 namespace lapilli {
 
@@ -26,7 +29,7 @@ class HeatOnPoints final : public Physics, public HasSurface {
   HeatOnPoints(Points& points, HeatProblem<Dim> problem);
 
   std::string name() const override { return "heat"; }
-  StepLimit step_limit() const override { return limit_; }
+  StepLimit step_limit() const override;
   StepReport advance(const Step& step) override;
   void refresh_output() override;
   std::vector<Field> fields() override;
@@ -40,7 +43,10 @@ class HeatOnPoints final : public Physics, public HasSurface {
   PointArray& carried_temperature() { return temperature_; }
   const PointArray& capacity() const { return capacity_; }  // rho0 c V0, J/K
   /// Book heat that another physics added to the carried temperatures, J.
-  void book_plastic(double heat) { plastic_ += heat; }
+  void book_plastic(double heat) {
+    plastic_ += heat;
+    range_ = {};
+  }
 
  private:
   void bound_step();
@@ -48,16 +54,21 @@ class HeatOnPoints final : public Physics, public HasSurface {
   // The phases of a step.
   void project_to_grid();
   void find_surface();
+  void find_surface_itself(NodalAreas<Dim>& areas);
   void conduct();
   void exchange_with_surroundings(const Step& step);
-  void solve_nodes(double step);
+  void solve_nodes(const Step& now);
   void relax_points();
   void update_points(const Step& step);
 
   void exchange_at_points(const Step& step);
+  void heat_by_sources(const Step& step);
+  void find_growth(double time);
   double blend(double step) const;
   void show(const std::vector<double>& nodal);
   void require_finite() const;
+  /// Throws RunError when nodes have left every temperature that the scene can reach.
+  void require_in_range() const;
 
   Points& points_;
   HeatProblem<Dim> problem_;
@@ -70,6 +81,9 @@ class HeatOnPoints final : public Physics, public HasSurface {
   PointGridTransfer<Dim> grid_;
   HeatLaws<Dim> laws_;
   std::unique_ptr<HeatSurface<Dim>> surface_;
+  bool at_surface_ = false;  // laws act on the temperature of the surface itself
+  SurfaceSystem<Dim> surface_system_;
+  int iterations_ = 0;
   std::pair<Index, Index> surface_found_{-1, -1};  // version and ordering of the points
   std::optional<HeatSource<Dim>> source_;
   // FLIP under strong exchange (coefficient h / conductivity > 1): the share of the gap to the
@@ -79,6 +93,9 @@ class HeatOnPoints final : public Physics, public HasSurface {
   double conductivity_ = 0.0;  // the least of the bodies, W/(m K)
   bool relaxes_ = false;       // some node in this step
   StepLimit limit_;
+  double carried_limit_ = std::numeric_limits<double>::infinity();  // s, of FLIP at the start
+  TemperatureRange range_;
+  double growth_ = 0.0;          // 1/s, of sources that heat themselves
   Index limited_ordering_ = -1;  // ordering that limit_ was bounded for
   double initial_ = 0.0;         // J
   double plastic_ = 0.0;         // J, from plastic work

@@ -1,5 +1,6 @@
 #include "lapilli/mpm/heat/heat_on_points.hpp"
 
+#include <atomic>
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
@@ -25,6 +26,28 @@ void HeatOnPoints<Dim>::require_finite() const {
                              " is not finite; a law or source gave such a value, or the step is "
                              "too large for it"));
     }
+  }
+}
+
+template <int Dim>
+void HeatOnPoints<Dim>::require_in_range() const {
+  std::atomic<Index> stray = -1;
+  const double low = range_.low, high = range_.high;
+  grid_.for_active_nodes([&](Index begin, Index end) {
+    for (Index node = begin; node < end; ++node) {
+      const double value = grid_.temperature[node];
+      if (!(value >= low && value <= high) && grid_.capacity[node] > 0.0) {
+        stray.store(node, std::memory_order_relaxed);
+      }
+    }
+  });
+  if (stray >= 0) {
+    const Index node = stray;
+    require_finite();
+    throw RunError(message("heat: ", grid_.temperature[node], " at (",
+                           problem_.grid.node_position(node).transpose(),
+                           ") is far beyond all that the scene can reach, ", low, " to ", high,
+                           " at the most: the step is too large for its conditions"));
   }
 }
 
@@ -79,6 +102,7 @@ void HeatOnPoints<Dim>::save(Archive& archive) const {
     surface_->save(archive, "heat/outside");
   }
   archive.write("heat/initial", initial_);
+  archive.write("heat/growth", growth_);
   archive.write("heat/plastic", plastic_);
   archive.write("heat/source", source_ ? source_->booked() : 0.0);
   archive.write("heat/limit", std::array{limit_.hard, limit_.automatic});
@@ -103,6 +127,8 @@ void HeatOnPoints<Dim>::load(const Archive& archive) {
   }
   initial_ = archive.read_number("heat/initial");
   plastic_ = archive.read_number("heat/plastic");
+  growth_ = archive.read_number("heat/growth");
+  range_ = plastic_ != 0.0 ? TemperatureRange{} : range_;
   if (source_) {
     source_->set_booked(archive.read_number("heat/source"));
   }
@@ -121,6 +147,7 @@ void HeatOnPoints<Dim>::load(const Archive& archive) {
 
 #define LAPILLI_INSTANTIATE(Dim)                                                               \
   template void HeatOnPoints<Dim>::require_finite() const;                                     \
+  template void HeatOnPoints<Dim>::require_in_range() const;                                   \
   template void HeatOnPoints<Dim>::show(const std::vector<double>& nodal);                     \
   template void HeatOnPoints<Dim>::refresh_output();                                           \
   template std::vector<Field> HeatOnPoints<Dim>::fields();                                     \

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "lapilli/core/physics.hpp"
 #include "lapilli/core/points.hpp"
+#include "lapilli/geometry/shape.hpp"
 #include "lapilli/materials/thermal.hpp"
 #include "lapilli/mpm/grid.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
 #include "lapilli/mpm/nodal_surface.hpp"
+#include "lapilli/mpm/prescribed_motion.hpp"
 #include "lapilli/mpm/wall_contact.hpp"
 #include "lapilli/mpm/weights.hpp"
 
@@ -20,6 +23,7 @@ struct HeatBody {
   double half_width = 0.25;  // of the GIMP box in cells: half the fill spacing over the cell size
   Value temperature;         // K, initial; a function of place may be given
   Value source;              // W/m^3
+  std::optional<Shape> shape{};  // where it stands; absent where only points are known
 };
 
 /// Everything a heat solver is made from.
@@ -32,11 +36,12 @@ struct HeatProblem {
   DistanceFunction distance;  // signed distance to the union of the bodies; may be empty
   bool moving = false;        // whether another physics moves the points
   ContactFaces walls{};       // faces of the grid that bodies rest against: no heat passes there
+  std::optional<Motion> frame{};  // the one prescribed motion of all bodies, where they share one
 };
 
-/// The heat solver a scene needs: nodal operators assembled once where points rest and the transfer
-/// closes on the nodes (FLIP does not where the surface exchanges strongly), the point-to-grid
-/// cycle otherwise. Throws std::invalid_argument when the settings contradict each other.
+/// The heat solver a scene needs: operators integrated over the shapes where bodies rest and have
+/// them; nodal operators assembled once from points where these rest and the transfer closes on the
+/// nodes (FLIP does not where the surface exchanges strongly), the point-to-grid cycle otherwise. Throws std::invalid_argument when the settings contradict each other.
 template <int Dim>
 std::unique_ptr<Physics> make_heat(Points& points, HeatProblem<Dim> problem);
 

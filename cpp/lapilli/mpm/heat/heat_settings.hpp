@@ -12,6 +12,15 @@
 
 namespace lapilli {
 
+/// The unit of all temperatures of a scene; it matters where surfaces radiate.
+enum class TemperatureUnit { kelvin, celsius };
+
+template <>
+struct Names<TemperatureUnit> {
+  static constexpr std::pair<TemperatureUnit, const char*> values[] = {
+      {TemperatureUnit::kelvin, "kelvin"}, {TemperatureUnit::celsius, "celsius"}};
+};
+
 /// How a flux law reaches the nodes.
 enum class FluxMethod {
   virtual_flux,  // nodal normals, A_I = n_I . sum V grad S: the default
@@ -104,12 +113,13 @@ struct Convection {
   }
 };
 
-/// Grey-body exchange: flux into the body = emissivity sigma (ambient^4 - T^4), absolute K.
+/// Grey-body exchange: flux into the body = emissivity sigma (ambient^4 - T^4), of absolute
+/// temperatures.
 struct Radiation {
   static constexpr const char* kind = "radiation";
   std::string name;
   Value emissivity = 1.0;                    // 0 to 1
-  Value ambient;                             // K, absolute
+  Value ambient;                             // K, or degrees Celsius where the scene says so
   double stefan_boltzmann = 5.670374419e-8;  // W/(m^2 K^4), in the scene's units
   std::optional<Shape> region;
 
@@ -117,7 +127,8 @@ struct Radiation {
   static void describe(Self& self, Visitor& visit) {
     visit(Key("name").text("name of the region in ledger and messages"), self.name);
     visit(Key("emissivity").range(0.0, 1.0).text("emissivity"), self.emissivity);
-    visit(Key("ambient").unit("K").required().non_negative().text("absolute temperature far away"),
+    visit(Key("ambient").unit("K").required().text(
+              "temperature far away, absolute unless temperature_unit says otherwise"),
           self.ambient);
     visit(Key("stefan_boltzmann")
               .unit("W/(m^2 K^4)")
@@ -152,11 +163,12 @@ struct HeatSettings {
   HeatStepping stepping = HeatStepping::explicit_euler;
   double theta = 0.5;  // 0.5 Crank-Nicolson, 1 backward Euler
   HeatSolver solver = HeatSolver::automatic;
-  double blend = 4.0;              // c of beta = 1 - exp(-c dt alpha/h^2)
-  int normal_smoothing = 2;        // passes of 1/4, 1/2, 1/4 before nodal normals
-  double surface_fraction = 0.55;  // eta of the paper's surface rule
-  bool implicit_exchange = true;   // convection and radiation at the end of the step
-  bool corner_fit = true;          // fitted vector at sharp corners
+  std::optional<TemperatureUnit> unit;  // kelvin unless said
+  double blend = 4.0;                   // c of beta = 1 - exp(-c dt alpha/h^2)
+  int normal_smoothing = 2;             // passes of 1/4, 1/2, 1/4 before nodal normals
+  double surface_fraction = 0.55;       // eta of the paper's surface rule
+  bool implicit_exchange = true;        // convection and radiation at the end of the step
+  bool corner_fit = true;               // fitted vector at sharp corners
   std::vector<HeatBoundary> boundaries;
 
   template <class Self, class Visitor>
@@ -166,6 +178,9 @@ struct HeatSettings {
     visit(Key("stepping").text("explicit Euler or the implicit theta scheme"), self.stepping);
     visit(Key("theta").range(0.5, 1.0).text("implicitness of the theta scheme"), self.theta);
     visit(Key("solver").text("linear solver of the theta scheme"), self.solver);
+    visit(Key("temperature_unit")
+              .text("unit of all temperatures, kelvin unless said; radiation needs absolute ones"),
+          self.unit);
     visit(Key("blend").range(0.0, 1e3).text("c of the step-scaled blend 1 - exp(-c dt alpha/h^2)"),
           self.blend);
     visit(Key("normal_smoothing").range(0, 16).text("smoothing passes before nodal normals"),

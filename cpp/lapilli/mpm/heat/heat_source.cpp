@@ -1,6 +1,7 @@
 #include "lapilli/mpm/heat/heat_source.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lapilli {
 
@@ -51,6 +52,43 @@ void HeatSource<Dim>::assign(const Points& points, const HeatProblem<Dim>& probl
       }
     }
   }
+}
+
+template <int Dim>
+const std::vector<typename HeatSource<Dim>::Rates>& HeatSource<Dim>::evaluate_over(
+    std::span<const double> temperature, double begin, double end) {
+  rates_.resize(nodes_.size());
+  for (std::size_t b = 0; b < nodes_.size(); ++b) {
+    Nodes& n = nodes_[b];
+    Rates& given = rates_[b];
+    const std::size_t count = n.node.size();
+    const Value& source = bodies_[b].source;
+    given.node = n.node;
+    given.rate.resize(count);
+    given.slope.assign(count, 0.0);
+    n.state.resize(count);
+    double span = 1.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      n.state[k] = temperature[n.node[k]];
+      span = std::max(span, std::abs(n.state[k]));
+    }
+    source.evaluate_mean(n.position, n.state, begin, end, given.rate);
+    if (source.is_function()) {
+      const double rise = 1e-6 * span;
+      for (double& state : n.state) {
+        state += rise;
+      }
+      n.value.resize(count);
+      source.evaluate_mean(n.position, n.state, begin, end, n.value);
+      for (std::size_t k = 0; k < count; ++k) {
+        given.slope[k] = n.volume[k] * (given.rate[k] - n.value[k]) / rise;
+      }
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      given.rate[k] *= n.volume[k];
+    }
+  }
+  return rates_;
 }
 
 template class HeatSource<1>;

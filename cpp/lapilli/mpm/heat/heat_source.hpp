@@ -46,6 +46,17 @@ class HeatSource {
     }
   }
 
+  /// What a body's source gives its nodes in one explicit step: means of tables over it, functions
+  /// at its middle. A source that falls with the temperature restores: it may be taken at the end
+  /// of the step by its slope.
+  struct Rates {
+    std::vector<Index> node;
+    std::vector<double> rate;   // W
+    std::vector<double> slope;  // W/K, -d rate/dT, negative where the source heats itself
+  };
+  const std::vector<Rates>& evaluate_over(std::span<const double> temperature, double begin,
+                                          double end);
+
   void book(double heat) { booked_ += heat; }
   double booked() const { return booked_; }
   void set_booked(double heat) { booked_ = heat; }
@@ -59,6 +70,7 @@ class HeatSource {
   };
   std::vector<HeatBody> bodies_;
   std::vector<Nodes> nodes_;
+  std::vector<Rates> rates_;
   double booked_ = 0.0;  // J
 };
 

@@ -1,5 +1,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/heat_at_rest.hpp"
+#include "lapilli/mpm/heat/heat_in_body_frame.hpp"
+#include "lapilli/mpm/heat/heat_in_shapes.hpp"
 #include "lapilli/mpm/heat/heat_on_points.hpp"
 #include "lapilli/mpm/heat/step_bound.hpp"
 
@@ -20,8 +22,15 @@ bool closes_on_nodes(const HeatProblem<Dim>& problem) {
 
 template <int Dim>
 std::unique_ptr<Physics> make_heat(Points& points, HeatProblem<Dim> problem) {
+  if (HeatInBodyFrame<Dim>::suits(problem)) {
+    return std::make_unique<HeatInBodyFrame<Dim>>(points, std::move(problem));
+  }
   require(!problem.moving || problem.settings.transfer != HeatTransfer::kept,
-          "heat.transfer = \"kept\" needs points at rest, but this scene moves them");
+          "heat.transfer = \"kept\" needs points at rest or one rigid motion of all bodies, but "
+          "this scene moves them");
+  if (HeatInShapes<Dim>::suits(problem)) {
+    return std::make_unique<HeatInShapes<Dim>>(points, std::move(problem));
+  }
   if (closes_on_nodes(problem)) {
     return std::make_unique<HeatAtRest<Dim>>(points, std::move(problem));
   }

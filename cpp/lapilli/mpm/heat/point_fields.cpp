@@ -59,33 +59,32 @@ std::vector<double> initial_temperatures(const Points& points,
   return temperature;
 }
 
+namespace {
+
+/// Sums over points at the start, by node.
 template <int Dim>
-std::vector<double> map_initial(const Points& points, const HeatProblem<Dim>& problem,
-                                const HeatCoefficients<Dim>& coefficients,
-                                const std::vector<double>& capacity,
-                                const std::vector<double>& temperature,
-                                std::vector<double>* gradient) {
-  const Grid<Dim>& grid = problem.grid;
-  const auto nodes = static_cast<std::size_t>(grid.node_count());
-  std::vector<double> carried(static_cast<std::size_t>(points.size()) * Dim, 0.0);
-  std::vector<double> mass(nodes), heat(nodes);
-  const auto [low, high] = std::minmax_element(temperature.begin(), temperature.end());
-  const bool uniform = *low == *high;
-  const int passes = gradient == nullptr || uniform ? 1 : 3;
-  for (int pass = 0; pass < passes; ++pass) {
-    std::fill(mass.begin(), mass.end(), 0.0);
-    std::fill(heat.begin(), heat.end(), 0.0);
-    const auto for_each_point = [&](const auto& body) {
-      for (Index row = 0; row < points.size(); ++row) {
-        with_shape(problem.shape, coefficients.half_width[points.body()[row]], [&](auto shape) {
-          const double* x = points.position().data() + row * Dim;
-          body(row, Weights<Dim, decltype(shape)>(grid, shape, x));
-        });
-      }
-    };
-    for_each_point([&](Index row, const auto& weights) {
-      const Vec<Dim> x = points.position<Dim>(row);
-      const Eigen::Map<const Vec<Dim>> g(carried.data() + row * Dim);
+class InitialMap {
+ public:
+  InitialMap(const Points& points, const HeatProblem<Dim>& problem,
+             const HeatCoefficients<Dim>& coefficients, std::span<const double> capacity,
+             std::span<const double> temperature)
+      : points_(points),
+        problem_(problem),
+        coefficients_(coefficients),
+        capacity_(capacity),
+        temperature_(temperature),
+        mass_(static_cast<std::size_t>(problem.grid.node_count())),
+        heat_(mass_.size()),
+        gradient_(static_cast<std::size_t>(points.size()) * Dim, 0.0) {}
+
+  /// Nodal temperatures of the points of one body, of all where it is negative.
+  const std::vector<double>& nodal(Index body) {
+    const Grid<Dim>& grid = problem_.grid;
+    std::fill(mass_.begin(), mass_.end(), 0.0);
+    std::fill(heat_.begin(), heat_.end(), 0.0);
+    for_each_point(body, [&](Index row, const auto& weights) {
+      const Vec<Dim> x = points_.position<Dim>(row);
+      const Eigen::Map<const Vec<Dim>> g(gradient_.data() + row * Dim);
       const auto first = grid.node_at(weights.first);
       const Vec<Dim> corner = grid.node_position(weights.first);
       weights.for_each_node(grid, [&](Index node, double s, const Vec<Dim>&) {
@@ -94,32 +93,88 @@ std::vector<double> map_initial(const Points& points, const HeatProblem<Dim>& pr
         for (int axis = 0; axis < Dim; ++axis) {
           away[axis] += (at[axis] - first[axis]) * grid.cell_size();
         }
-        mass[node] += capacity[row] * s;
-        heat[node] += capacity[row] * s * (temperature[row] + g.dot(away));
+        mass_[node] += capacity_[row] * s;
+        heat_[node] += capacity_[row] * s * (temperature_[row] + g.dot(away));
       });
     });
-    for (std::size_t node = 0; node < nodes; ++node) {
-      heat[node] = mass[node] > 0.0 ? heat[node] / mass[node] : 0.0;
+    for (std::size_t node = 0; node < heat_.size(); ++node) {
+      heat_[node] = mass_[node] > 0.0 ? heat_[node] / mass_[node] : 0.0;
     }
-    if (uniform) {  // without the rounding of the mean
-      for (std::size_t node = 0; node < nodes; ++node) {
-        heat[node] = mass[node] > 0.0 ? temperature.front() : 0.0;
-      }
-    }
-    if (passes == 1) {
-      break;
-    }
-    for_each_point([&](Index row, const auto& weights) {
-      Eigen::Map<Vec<Dim>> g(carried.data() + row * Dim);
+    return heat_;
+  }
+
+  /// Give the points of one body the gradient of the nodal temperatures.
+  void take_gradient(Index body) {
+    for_each_point(body, [&](Index row, const auto& weights) {
+      Eigen::Map<Vec<Dim>> g(gradient_.data() + row * Dim);
       g.setZero();
-      weights.for_each_node(
-          grid, [&](Index node, double, const Vec<Dim>& slope) { g += heat[node] * slope; });
+      weights.for_each_node(problem_.grid, [&](Index node, double, const Vec<Dim>& slope) {
+        g += heat_[node] * slope;
+      });
     });
   }
-  if (gradient != nullptr) {
-    *gradient = std::move(carried);
+
+  /// What every node has where all points have one temperature, without the rounding of the mean.
+  std::vector<double> even() {
+    std::vector<double> all(nodal(-1));
+    for (std::size_t node = 0; node < all.size(); ++node) {
+      all[node] = mass_[node] > 0.0 ? temperature_.front() : 0.0;
+    }
+    return all;
   }
-  return heat;
+
+  std::vector<double>& gradient() { return gradient_; }
+
+ private:
+  template <class Body>
+  void for_each_point(Index wanted, const Body& body) {
+    for (Index row = 0; row < points_.size(); ++row) {
+      if (wanted < 0 || points_.body()[row] == wanted) {
+        with_shape(problem_.shape, coefficients_.half_width[points_.body()[row]], [&](auto shape) {
+          const double* x = points_.position().data() + row * Dim;
+          body(row, Weights<Dim, decltype(shape)>(problem_.grid, shape, x));
+        });
+      }
+    }
+  }
+
+  const Points& points_;
+  const HeatProblem<Dim>& problem_;
+  const HeatCoefficients<Dim>& coefficients_;
+  std::span<const double> capacity_, temperature_;
+  std::vector<double> mass_, heat_, gradient_;
+};
+
+}  // namespace
+
+template <int Dim>
+std::vector<double> map_initial(const Points& points, const HeatProblem<Dim>& problem,
+                                const HeatCoefficients<Dim>& coefficients,
+                                const std::vector<double>& capacity,
+                                const std::vector<double>& temperature,
+                                std::vector<double>* gradient) {
+  InitialMap<Dim> map(points, problem, coefficients, capacity, temperature);
+  const auto [low, high] = std::minmax_element(temperature.begin(), temperature.end());
+  if (*low == *high) {
+    std::vector<double> nodal = map.even();
+    if (gradient != nullptr) {
+      *gradient = std::move(map.gradient());
+    }
+    return nodal;
+  }
+  if (gradient == nullptr) {
+    return map.nodal(-1);
+  }
+  // Body by body: a jump of temperature between bodies is no gradient of either.
+  for (Index body = 0; body < static_cast<Index>(problem.bodies.size()); ++body) {
+    for (int pass = 0; pass < 2; ++pass) {
+      map.nodal(body);
+      map.take_gradient(body);
+    }
+  }
+  std::vector<double> nodal = map.nodal(-1);
+  *gradient = std::move(map.gradient());
+  return nodal;
 }
 
 template struct HeatCoefficients<1>;

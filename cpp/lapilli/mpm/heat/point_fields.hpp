@@ -27,7 +27,7 @@ std::vector<double> initial_temperatures(const Points& points, const std::vector
 
 /// Nodal temperatures T_I = sum m S (T_p + G_p . (x_I - x_p)) / C_I at every node of the grid (zero
 /// where inactive). With `gradient` (rows x Dim, may be null: G = 0), G is recovered from the nodes
-/// in two passes: second order for smooth fields, exact for uniform ones.
+/// in two passes, body by body: second order for smooth fields, exact for uniform bodies.
 template <int Dim>
 std::vector<double> map_initial(const Points& points, const HeatProblem<Dim>& problem,
                                 const HeatCoefficients<Dim>& coefficients,

@@ -62,7 +62,7 @@ void add_momentum(CellSums<Dim, Shape, arrays>& sums, int offset, const QuadWeig
       sums.sum[offset + axis][q] += w.value[q] * momentum;
     }
   }
-  if constexpr (transfer != VelocityTransfer::flip) {
+  if constexpr (is_affine<transfer, Shape>) {
     double factor[Dim][Shape::support];
     affine_factors<transfer>(axes, h, factor);
     const QuadWeights<Dim, Shape> lever(axes.value, factor);

@@ -6,6 +6,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/momentum/point_kernel.hpp"
 #include "lapilli/mpm/momentum/project_to_grid.hpp"
+#include "lapilli/mpm/momentum/stable_choice.hpp"
 #include "lapilli/mpm/momentum/update_points.hpp"
 
 namespace lapilli {
@@ -13,10 +14,14 @@ namespace lapilli {
 template <int Dim>
 Momentum<Dim>::Momentum(Points& points, const MomentumProblem<Dim>& problem)
     : data_(points, problem) {
+  require_stable_choice(data_);
   start_affine(problem);
   data_.order.update(points);
   if (!problem.settings.boundaries.empty()) {
     loads_ = std::make_unique<SurfaceLoads<Dim>>(data_, problem);
+  }
+  if (!problem.settings.obstacles.empty()) {
+    obstacles_ = std::make_unique<Obstacles<Dim>>(data_, problem);
   }
   ordering_ = points.ordering();
   for (Index row = 0; row < points.size(); ++row) {
@@ -27,7 +32,9 @@ Momentum<Dim>::Momentum(Points& points, const MomentumProblem<Dim>& problem)
     total_mass_ += data_.mass[row];
   }
   kinetic_ = kinetic_energy();
-  initial_energy_ = kinetic_ + potential_energy() + elastic_energy_stored();
+  const double elastic = elastic_energy_stored();
+  initial_energy_ = kinetic_ + potential_energy() + elastic;
+  watch_ = EnergyWatch(elastic);
   initial_momentum_ = linear_momentum();
 }
 
@@ -37,19 +44,23 @@ StepReport Momentum<Dim>::advance(const Step& step) {
     incremental_deformation();
   }
   keep_order(step.size);
-  project_to_grid(data_);
+  project_to_grid(data_, step.size);
   if (loads_) {
     loads_->add_forces(data_, step.time);
   }
-  const NodeSums nodes = solve_nodes(data_, step.size);
+  const NodeSums nodes = solve_nodes(step);
   const double load_work = loads_ ? loads_->work() : 0.0;
   if (loads_) {
     loads_->book(data_, step.size);
   }
   PointSums velocities;
   if (data_.settings.stress_update == StressUpdate::musl) {
-    velocities = update_velocities(data_);
-    solve_second_velocity(data_);
+    velocities = update_velocities(data_, step.size);
+    divide_second_velocity(data_);
+    if (obstacles_) {
+      obstacles_->push_again(data_);
+    }
+    hold_second_velocity(data_);
   }
   PointSums sums = update_points(data_, step.size);
   sums.kinetic += velocities.kinetic;
@@ -66,11 +77,28 @@ StepReport Momentum<Dim>::advance(const Step& step) {
   flows_.gravity += step.size * total_mass_ * data_.gravity;
   flows_.walls += nodes.wall_impulse;
   kinetic_ = sums.kinetic;
+  const double moved = step.size * std::max(speed_, sums.speed);
+  drift_ += moved;
+  if (obstacles_) {
+    obstacles_->finish_step(step, moved, !data_.moves_with_mean);
+  }
   speed_ = sums.speed;
   wave_speed_ = sums.wave_speed;
-  drift_ += step.size * sums.speed;
+  squeezing_ = (1.0 - sums.least_volume) / step.size;
+  watch_energy(sums);
   carry_points();
   return {.accepted = step.size};
+}
+
+/// Forces, then obstacles, then walls, which have the last word at the nodes they share.
+template <int Dim>
+NodeSums Momentum<Dim>::solve_nodes(const Step& step) {
+  NodeSums sums = accelerate_nodes(data_, step.size);
+  if (obstacles_) {
+    obstacles_->push(data_, step, speed_, sums);
+  }
+  hold_nodes(data_, step.size, sums);
+  return sums;
 }
 
 /// Gradients that other physics keep on the points turn and stretch with them.
@@ -119,13 +147,40 @@ void Momentum<Dim>::stop_if_broken(const PointSums& sums) const {
 }
 
 template <int Dim>
+void Momentum<Dim>::watch_energy(const PointSums& sums) {
+  // Strain is half a step ahead of the force that answers it: what that is worth is no gain.
+  const double lost =
+      flows_.transfer + flows_.strain + flows_.friction + flows_.impact + sums.work_ahead;
+  if (!watch_.add_step(sums.kinetic, sums.strain_work, -lost)) {
+    throw RunError(
+        message("the motion has gained ", -lost, " J that nothing put in, ",
+                -100.0 * lost / watch_.largest(), " % of its largest energy: momentum.transfer ",
+                name_of(data_.settings.transfer), " with ", name_of(data_.settings.stress_update),
+                " and ", name_of(data_.shape),
+                " functions is unstable here; blended_apic with musl and gimp, or a smaller "
+                "momentum.step_safety, may hold"));
+  }
+}
+
+template <int Dim>
 StepLimit Momentum<Dim>::step_limit() const {
-  const double crossing = data_.grid.cell_size() / (wave_speed_ + speed_);
+  const double h = data_.grid.cell_size(), safety = data_.settings.step_safety;
+  const double crossing = h / (wave_speed_ + speed_ + (obstacles_ ? obstacles_->speed() : 0.0));
+  const double g = data_.gravity.norm();
+  if (g > 0.0 && std::sqrt(h / g) < crossing) {
+    const double fall = std::sqrt(h / g);
+    return {.hard = fall,
+            .automatic = safety * fall,
+            .reason = message("explicit momentum: a gravity of ", g,
+                              " m/s2 takes points across one cell of ", h, " m; safety ", safety)};
+  }
+  // A point that lost much of its volume in the last step loses a quarter at most in the next.
+  const double squeezing = squeezing_ > 0.0 ? 0.25 / squeezing_ : crossing;
   return {.hard = crossing,
-          .automatic = data_.settings.step_safety * crossing,
+          .automatic = std::min(safety * crossing, squeezing),
           .reason = message("explicit momentum: a wave of ", wave_speed_, " m/s on points of ",
-                            speed_, " m/s may cross one cell of ", data_.grid.cell_size(),
-                            " m; safety ", data_.settings.step_safety)};
+                            speed_, " m/s may cross one cell of ", h, " m; safety ", safety,
+                            squeezing < safety * crossing ? "; points lose volume fast" : "")};
 }
 
 template <int Dim>
@@ -197,6 +252,7 @@ void Momentum<Dim>::save(Archive& archive) const {
   keep("stress", data_.stress);
   if (data_.affine) {
     keep("affine", *data_.affine);
+    keep("carried", *data_.carried);
   }
   if (data_.deformation) {
     keep("deformation", *data_.deformation);
@@ -211,9 +267,13 @@ void Momentum<Dim>::save(Archive& archive) const {
   if (loads_) {
     loads_->save(archive, "momentum/loads");
   }
-  const double numbers[] = {flows_.plastic,  flows_.friction, flows_.strain, flows_.impact,
-                            flows_.transfer, initial_energy_, kinetic_,      speed_,
-                            wave_speed_,     drift_,          total_mass_,   flows_.expansion};
+  if (obstacles_) {
+    obstacles_->save(archive, "momentum/obstacles");
+  }
+  const double numbers[] = {flows_.plastic,  flows_.friction, flows_.strain,   flows_.impact,
+                            flows_.transfer, initial_energy_, kinetic_,        speed_,
+                            wave_speed_,     drift_,          total_mass_,     flows_.expansion,
+                            squeezing_,      watch_.stored(), watch_.largest()};
   archive.write("momentum/account", std::span<const double>(numbers));
   archive.write("momentum/impulse/gravity", std::span<const double>(flows_.gravity.data(), 3));
   archive.write("momentum/impulse/walls", std::span<const double>(flows_.walls.data(), 3));
@@ -230,6 +290,7 @@ void Momentum<Dim>::load(const Archive& archive) {
   fetch("stress", data_.stress);
   if (data_.affine) {
     fetch("affine", *data_.affine);
+    fetch("carried", *data_.carried);
   }
   if (data_.deformation) {
     fetch("deformation", *data_.deformation);
@@ -244,7 +305,10 @@ void Momentum<Dim>::load(const Archive& archive) {
   if (loads_) {
     loads_->load(archive, "momentum/loads");
   }
-  double numbers[12];
+  if (obstacles_) {
+    obstacles_->load(archive, "momentum/obstacles");
+  }
+  double numbers[15];
   archive.read("momentum/account", std::span<double>(numbers));
   flows_.plastic = numbers[0];
   flows_.friction = numbers[1];
@@ -258,6 +322,8 @@ void Momentum<Dim>::load(const Archive& archive) {
   drift_ = numbers[9];
   total_mass_ = numbers[10];
   flows_.expansion = numbers[11];
+  squeezing_ = numbers[12];
+  watch_.restore(numbers[13], numbers[14]);
   archive.read("momentum/impulse/gravity", std::span<double>(flows_.gravity.data(), 3));
   archive.read("momentum/impulse/walls", std::span<double>(flows_.walls.data(), 3));
   archive.read("momentum/impulse/initial", std::span<double>(initial_momentum_.data(), 3));

@@ -3,7 +3,9 @@
 #include <memory>
 #include <vector>
 
+#include "lapilli/mpm/momentum/energy_watch.hpp"
 #include "lapilli/mpm/momentum/momentum_data.hpp"
+#include "lapilli/mpm/momentum/obstacles/obstacles.hpp"
 #include "lapilli/mpm/momentum/solve_nodes.hpp"
 #include "lapilli/mpm/momentum/surface_loads.hpp"
 
@@ -56,20 +58,25 @@ class Momentum final : public Physics, public HasSurface {
 
   void start_affine(const MomentumProblem<Dim>& problem);
   void keep_order(double step);
+  NodeSums solve_nodes(const Step& step);
   void carry_points();
   void stop_if_broken(const PointSums& sums) const;
+  void watch_energy(const PointSums& sums);
   double kinetic_energy() const;
   double potential_energy() const;
   double elastic_energy_stored() const;
   Vec3 linear_momentum() const;
 
   MomentumData<Dim> data_;
-  std::unique_ptr<SurfaceLoads<Dim>> loads_;  // null without boundaries
+  std::unique_ptr<SurfaceLoads<Dim>> loads_;   // null without boundaries
+  std::unique_ptr<Obstacles<Dim>> obstacles_;  // null without any
   Flows flows_;
+  EnergyWatch watch_;
   double total_mass_ = 0.0;
   double initial_energy_ = 0.0, kinetic_ = 0.0;  // J
   Vec3 initial_momentum_ = Vec3::Zero();
   double speed_ = 0.0, wave_speed_ = 0.0;  // m/s, largest
+  double squeezing_ = 0.0;                 // 1/s, largest rate at which a point lost volume
   double drift_ = 0.0;                     // m, since the points were sorted
   Index ordering_ = -1;
   std::vector<double> output_stress_, output_density_;

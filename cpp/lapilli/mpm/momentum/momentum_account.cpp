@@ -94,9 +94,9 @@ Vec3 Momentum<Dim>::angular_momentum() const {
     Vec3 moment = place.cross(velocity);
     if (data_.affine) {
       // sum S (x_I - x) x v_I: the antisymmetric part of sum v_I (x_I - x) S.
-      const Vec<Dim> moments = data_.settings.transfer == VelocityTransfer::tpic
-                                   ? second_moments(data_, row)
-                                   : Vec<Dim>(Vec<Dim>::Ones());
+      const Vec<Dim> moments = data_.settings.transfer == VelocityTransfer::apic
+                                   ? Vec<Dim>(Vec<Dim>::Ones())
+                                   : second_moments(data_, row);
       Mat3 b = Mat3::Zero();
       for (int axis = 0; axis < Dim; ++axis) {
         for (int along = 0; along < Dim; ++along) {
@@ -111,7 +111,8 @@ Vec3 Momentum<Dim>::angular_momentum() const {
 
 template <int Dim>
 std::vector<Ledger> Momentum<Dim>::ledgers() const {
-  const double stored = kinetic_ + potential_energy() + elastic_energy_stored();
+  const double elastic = elastic_energy_stored();
+  const double stored = kinetic_ + potential_energy() + elastic;
   std::vector<Ledger> all;
   all.push_back({"energy",
                  "J",
@@ -122,12 +123,15 @@ std::vector<Ledger> Momentum<Dim>::ledgers() const {
                   {"wall impact", -flows_.impact},
                   {"transfer", -flows_.transfer},
                   {"strain transfer", -flows_.strain}},
-                 kinetic_});
+                 kinetic_ + elastic});
   if (data_.free_strain) {
     all.back().entries.push_back({"expansion", flows_.expansion});
   }
   if (loads_) {
     std::ranges::copy(loads_->work_entries(), std::back_inserter(all.back().entries));
+  }
+  if (obstacles_) {
+    std::ranges::copy(obstacles_->work_entries(), std::back_inserter(all.back().entries));
   }
   const Vec3 now = linear_momentum();
   for (int axis = 0; axis < Dim; ++axis) {
@@ -140,6 +144,9 @@ std::vector<Ledger> Momentum<Dim>::ledgers() const {
     if (loads_) {
       std::ranges::copy(loads_->impulse_entries(axis), std::back_inserter(all.back().entries));
     }
+    if (obstacles_) {
+      std::ranges::copy(obstacles_->impulse_entries(axis), std::back_inserter(all.back().entries));
+    }
   }
   return all;
 }
@@ -151,16 +158,20 @@ SurfaceView Momentum<Dim>::surface() const {
 
 template <int Dim>
 std::vector<std::pair<std::string, double>> Momentum<Dim>::diagnostics() const {
-  return {{"kinetic energy", kinetic_},
-          {"elastic energy", elastic_energy_stored()},
-          {"potential energy", potential_energy()},
-          {"plastic dissipation", flows_.plastic},
-          {"wall friction", flows_.friction},
-          {"wall impact", flows_.impact},
-          {"transfer loss", flows_.transfer},
-          {"strain transfer loss", flows_.strain},
-          {"expansion work", flows_.expansion},
-          {"load work", loads_ ? loads_->work() : 0.0}};
+  std::vector<std::pair<std::string, double>> all{{"kinetic energy", kinetic_},
+                                                  {"elastic energy", elastic_energy_stored()},
+                                                  {"potential energy", potential_energy()},
+                                                  {"plastic dissipation", flows_.plastic},
+                                                  {"wall friction", flows_.friction},
+                                                  {"wall impact", flows_.impact},
+                                                  {"transfer loss", flows_.transfer},
+                                                  {"strain transfer loss", flows_.strain},
+                                                  {"expansion work", flows_.expansion},
+                                                  {"load work", loads_ ? loads_->work() : 0.0}};
+  if (obstacles_) {
+    std::ranges::copy(obstacles_->diagnostics(), std::back_inserter(all));
+  }
+  return all;
 }
 
 template <int Dim>

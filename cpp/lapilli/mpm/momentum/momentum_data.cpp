@@ -1,15 +1,21 @@
 #include "lapilli/mpm/momentum/momentum_data.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/momentum/point_kernel.hpp"
 
 namespace lapilli {
 
 template <int Dim>
-MomentumNodes<Dim>::MomentumNodes(const Grid<Dim>& grid, StressUpdate update)
-    : size_(grid.node_count() + 4), layer_(grid.node_stride(Dim - 1)) {
-  const int arrays = 1 + (update == StressUpdate::musl ? 4 : 3) * Dim;
+MomentumNodes<Dim>::MomentumNodes(const Grid<Dim>& grid, ShapeFunction shape, StressUpdate update)
+    : limits_strain_(shape == ShapeFunction::linear),
+      size_(grid.node_count() + 4),
+      layer_(grid.node_stride(Dim - 1)) {
+  const int always = 1 + (update == StressUpdate::musl ? 3 : 2) * Dim;
+  limited_ = limits_strain_ ? always : 1;
+  const int arrays = always + (limits_strain_ ? Dim : 0);
   values_.assign(static_cast<std::size_t>(size_ * arrays), 0.0);
 }
 
@@ -18,7 +24,7 @@ void MomentumNodes<Dim>::clear(std::pair<int, int> layers) {
   const Index first = layers.first * layer_, last = layers.second * layer_;
   const Index from = first_ < last_ ? std::min(first_, first) : first, to = std::max(last_, last);
   parallel_ranges(to - from, [&](Index begin, Index end) {
-    for (int which = 0; which < 1 + 3 * Dim; ++which) {
+    for (int which = 0; which < 1 + 2 * Dim; ++which) {
       std::fill(array(which) + from + begin, array(which) + from + end, 0.0);
     }
   });
@@ -36,6 +42,15 @@ void MomentumNodes<Dim>::clear_second_velocity() {
 }
 
 template <int Dim>
+double full_cell(const MomentumData<Dim>& data) {
+  double density = std::numeric_limits<double>::infinity();
+  for (const StressMaterial& material : data.materials) {
+    density = std::min(density, material.density);
+  }
+  return density * data.grid.cell_volume();
+}
+
+template <int Dim>
 MomentumData<Dim>::MomentumData(Points& of_points, const MomentumProblem<Dim>& problem)
     : grid(problem.grid),
       shape(problem.shape),
@@ -46,13 +61,9 @@ MomentumData<Dim>::MomentumData(Points& of_points, const MomentumProblem<Dim>& p
       velocity(of_points, Dim),
       stress(of_points, stress_components),
       order(problem.grid, problem.shape == ShapeFunction::linear ? 2 : 3),
-      nodes(problem.grid, problem.settings.stress_update) {
+      nodes(problem.grid, problem.shape, problem.settings.stress_update) {
   check(settings, Dim);
   std::copy(settings.gravity.begin(), settings.gravity.end(), gravity.data());
-  require(
-      settings.transfer != VelocityTransfer::apic || shape != ShapeFunction::linear,
-      "momentum.transfer apic needs the shape function gimp or bspline: the moment it divides by "
-      "vanishes where a linear one meets a node; tpic, flip or gimp would do");
   require(points.dimension() == Dim, "momentum of dimension ", Dim, " got points of dimension ",
           points.dimension());
   for (const MomentumBody& body : problem.bodies) {
@@ -61,9 +72,15 @@ MomentumData<Dim>::MomentumData(Points& of_points, const MomentumProblem<Dim>& p
     half_widths.push_back(shape == ShapeFunction::bspline ? 0.5 : body.half_width);
     materials.emplace_back(body.material);
   }
-  if (settings.transfer != VelocityTransfer::flip) {
+  with_transfer(shape, settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
+    moves_with_mean = !is_affine<transfer, Shape>;
+  });
+  if (!moves_with_mean) {
     affine = std::make_unique<PointArray>(points, Dim * Dim);
+    carried = std::make_unique<PointArray>(points, Dim);
   }
+  constexpr double empty_share = 1e-15;  // of a cell full of the lightest material
+  empty_node = empty_share * full_cell(*this);
   for (Index row = 0; row < points.size(); ++row) {
     const Index number = points.body()[row];
     require(number < static_cast<Index>(problem.bodies.size()), "point ", points.id()[row],
@@ -79,6 +96,9 @@ MomentumData<Dim>::MomentumData(Points& of_points, const MomentumProblem<Dim>& p
     if (body.velocity) {
       const Vec3 start = body.velocity(place);
       std::copy(start.data(), start.data() + Dim, velocity.data() + row * Dim);
+      if (carried) {
+        std::copy(start.data(), start.data() + Dim, carried->data() + row * Dim);
+      }
     }
     if (body.stress) {
       const SymmetricTensor start = body.stress(place);
@@ -92,6 +112,7 @@ PointSums& PointSums::operator+=(const PointSums& other) {
   kinetic += other.kinetic;
   plastic += other.plastic;
   strain_work += other.strain_work;
+  work_ahead += other.work_ahead;
   expansion += other.expansion;
   speed = std::max(speed, other.speed);
   wave_speed = std::max(wave_speed, other.wave_speed);
@@ -102,6 +123,8 @@ PointSums& PointSums::operator+=(const PointSums& other) {
 
 template class MomentumNodes<2>;
 template class MomentumNodes<3>;
+template double full_cell(const MomentumData<2>&);
+template double full_cell(const MomentumData<3>&);
 template struct MomentumData<2>;
 template struct MomentumData<3>;
 

@@ -9,19 +9,22 @@
 #include "lapilli/core/describe.hpp"
 #include "lapilli/core/value.hpp"
 #include "lapilli/geometry/shape.hpp"
+#include "lapilli/mpm/momentum/obstacles/obstacle.hpp"
 
 namespace lapilli {
 
 /// What points and nodes hand each other of the velocity.
 enum class VelocityTransfer {
-  flip,  // increments, with `pic_share` of the nodal velocity
-  apic,  // affine, keeps angular momentum (Jiang et al. 2015)
-  tpic   // affine by the velocity gradient
+  blended_apic,  // affine increments that fade at the rate of deformation, `blend_rate`
+  flip,          // increments, with `pic_share` of the nodal velocity a step
+  apic,          // affine, keeps angular momentum (Jiang et al. 2015)
+  tpic           // affine by the velocity gradient
 };
 
 template <>
 struct Names<VelocityTransfer> {
   static constexpr std::pair<VelocityTransfer, const char*> values[] = {
+      {VelocityTransfer::blended_apic, "blended_apic"},
       {VelocityTransfer::flip, "flip"},
       {VelocityTransfer::apic, "apic"},
       {VelocityTransfer::tpic, "tpic"}};
@@ -130,11 +133,13 @@ using MomentumBoundary = std::variant<Pressure, Traction>;
 /// without a wall are open: a point that passes one stops the run.
 struct MomentumSettings {
   std::vector<double> gravity;  // m/s2, one number an axis; empty: none
-  VelocityTransfer transfer = VelocityTransfer::flip;
-  double pic_share = 0.05;  // of FLIP, in [0, 1]
+  VelocityTransfer transfer = VelocityTransfer::blended_apic;
+  double blend_rate = 4.0;  // of blended_apic, a unit of strain; at least 0
+  double pic_share = 0.05;  // of FLIP, a step; in [0, 1]
   StressUpdate stress_update = StressUpdate::musl;
   double step_safety = 0.5;  // automatic step over h / (wave speed + point speed), in (0, 1]
   std::vector<GridWall> walls;
+  std::vector<Obstacle> obstacles;
   std::vector<MomentumBoundary> boundaries;
 
   template <class Self, class Visitor>
@@ -142,7 +147,15 @@ struct MomentumSettings {
     visit(Key("gravity").unit("m/s2").length(0, 3).text("one number an axis; empty: none"),
           self.gravity);
     visit(Key("transfer").text("what points and nodes hand each other"), self.transfer);
-    visit(Key("pic_share").range(0.0, 1.0).text("share of the nodal velocity in FLIP"),
+    visit(
+        Key("blend_rate")
+            .non_negative()
+            .text(
+                "blended_apic: rate, per unit of strain, at which points take the nodal velocity"),
+        self.blend_rate);
+    visit(Key("pic_share")
+              .range(0.0, 1.0)
+              .text("flip: share of the nodal velocity, applied once a step"),
           self.pic_share);
     visit(Key("stress_update").text("which nodal velocity strains the points"), self.stress_update);
     visit(Key("step_safety")
@@ -151,6 +164,8 @@ struct MomentumSettings {
           self.step_safety);
     visit(Key("walls").text("faces of the grid that hold the material; others are open"),
           self.walls);
+    visit(Key("obstacles").text("rigid shapes that material cannot enter, at rest or moving"),
+          self.obstacles);
     visit(
         Key("boundaries").text("loads on free surfaces; the first region that covers a place wins"),
         self.boundaries);
@@ -159,5 +174,8 @@ struct MomentumSettings {
 
 /// Throws std::invalid_argument naming the first setting outside its range.
 void check(const MomentumSettings& settings, int dimension);
+
+/// What is allowed and makes the answer depend on the numerics, a sentence each.
+std::vector<std::string> warnings(const MomentumSettings& settings);
 
 }  // namespace lapilli

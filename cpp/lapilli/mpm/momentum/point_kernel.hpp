@@ -48,8 +48,15 @@ double second_moment(const AxisWeights<Dim, Shape>& weights, double h, int axis)
   return sum * h * h;
 }
 
-/// Factors that multiply the affine matrix of a point when it is projected: with TPIC the levers,
-/// with APIC these over the second moment (zero where a hat function meets a node: refused).
+/// Whether points carry an affine part. Under linear functions the blend leaves it out: the moment
+/// that it divides by vanishes where a hat function meets a node.
+template <VelocityTransfer transfer, class Shape>
+inline constexpr bool is_affine =
+    transfer == VelocityTransfer::blended_apic ? Shape::support > 2
+                                               : transfer != VelocityTransfer::flip;
+
+/// Factors that multiply the affine matrix of a point when it is projected: the levers, with APIC
+/// these over the second moment (zero where a hat function meets a node: refused).
 template <VelocityTransfer transfer, int Dim, class Shape>
 void affine_factors(const AxisWeights<Dim, Shape>& weights, double h,
                     double (&factor)[Dim][Shape::support]) {
@@ -69,6 +76,8 @@ template <class Body>
 void with_transfer(ShapeFunction shape, VelocityTransfer transfer, const Body& body) {
   const auto shaped = [&]<class Shape>() {
     switch (transfer) {
+      case VelocityTransfer::blended_apic:
+        return body.template operator()<Shape, VelocityTransfer::blended_apic>();
       case VelocityTransfer::flip:
         return body.template operator()<Shape, VelocityTransfer::flip>();
       case VelocityTransfer::apic:

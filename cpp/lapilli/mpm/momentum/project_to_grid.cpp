@@ -1,6 +1,7 @@
 #include "lapilli/mpm/momentum/project_to_grid.hpp"
 
 #include "lapilli/mpm/momentum/cell_sums.hpp"
+#include "lapilli/mpm/momentum/mover.hpp"
 
 #pragma GCC diagnostic ignored "-Wpsabi"
 
@@ -14,8 +15,8 @@ constexpr int stress_index(int i, int j) {
 }
 
 template <int Dim, class Shape, VelocityTransfer transfer>
-void project_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& stencil, Index begin,
-                  Index end) {
+void project_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& stencil, double step,
+                  Index begin, Index end) {
   constexpr int arrays = 1 + 2 * Dim, components = MomentumData<Dim>::stress_components;
   constexpr int quads = Stencil<Dim, Shape>::quads;
   double* to[arrays] = {data.nodes.mass()};
@@ -27,13 +28,18 @@ void project_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& stencil, I
   const ShapeOfBody<Shape> shape_of(data.half_widths);
   const Grid<Dim> grid = data.grid;
   const double h = grid.cell_size();
-  const double* position = data.points.position().data();
+  double* position = data.points.position().data();
   const double* volume = data.points.volume().data();
   const Index* body = data.points.body().data();
   const double *mass = data.mass.data(), *velocity = data.velocity.data();
   const double* stress = data.stress.data();
   const double* affine = data.affine ? data.affine->data() : nullptr;
+  const double* carried = data.carried ? data.carried->data() : nullptr;
+  const Mover<Dim> move(data, 0.5 * step);
   for (Index row = begin; row < end; ++row) {
+    if constexpr (is_affine<transfer, Shape>) {
+      move.drift(position + row * Dim, carried + row * Dim);
+    }
     const AxisWeights<Dim, Shape> axes(grid, shape_of(body[row]), position + row * Dim);
     const QuadWeights<Dim, Shape> w(axes.value, axes.slope);
     sums.move_to(axes.first);
@@ -60,17 +66,17 @@ void project_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& stencil, I
 }  // namespace
 
 template <int Dim>
-void project_to_grid(MomentumData<Dim>& data) {
+void project_to_grid(MomentumData<Dim>& data, double step) {
   data.nodes.clear(data.order.node_layers());
   with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
     const Stencil<Dim, Shape> stencil(data.grid);
     data.order.for_each_strip([&](Index begin, Index end) {
-      project_rows<Dim, Shape, transfer>(data, stencil, begin, end);
+      project_rows<Dim, Shape, transfer>(data, stencil, step, begin, end);
     });
   });
 }
 
-template void project_to_grid<2>(MomentumData<2>&);
-template void project_to_grid<3>(MomentumData<3>&);
+template void project_to_grid<2>(MomentumData<2>&, double);
+template void project_to_grid<3>(MomentumData<3>&, double);
 
 }  // namespace lapilli

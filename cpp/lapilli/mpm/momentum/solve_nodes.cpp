@@ -8,25 +8,15 @@
 namespace lapilli {
 namespace {
 
-/// Below this share of a cell's mass a node is empty: what it could move is lost in rounding.
-constexpr double empty_share = 1e-15;
-/// Below this share the internal force strains as if the node had it.
+/// Below this share, under linear functions, the internal force strains as if the node had it:
+/// their slope stays whole while the mass vanishes. Elsewhere points strain with the velocity that
+/// moves them, or the force would work without the stress that restores it.
 constexpr double light_share = 0.1;
-
-/// Mass of a cell full of the lightest material, kg.
-template <int Dim>
-double full_cell(const MomentumData<Dim>& data) {
-  double density = data.materials.front().density;
-  for (const StressMaterial& material : data.materials) {
-    density = std::min(density, material.density);
-  }
-  return density * data.grid.cell_volume();
-}
 
 /// Call body(node, axis, wall, inward) for every node on or outside of a wall that carries mass,
 /// wall by wall in a fixed order.
 template <int Dim, class Body>
-void for_each_wall_node(const MomentumData<Dim>& data, double floor, const Body& body) {
+void for_each_wall_node(const MomentumData<Dim>& data, const Body& body) {
   const Grid<Dim>& grid = data.grid;
   const double* mass = data.nodes.mass();
   for (int axis = 0; axis < Dim; ++axis) {
@@ -44,7 +34,7 @@ void for_each_wall_node(const MomentumData<Dim>& data, double floor, const Body&
           const Index from = std::max(start, data.nodes.first());
           const Index to = std::min(start + stride, data.nodes.last());
           for (Index node = from; node < to; ++node) {
-            if (mass[node] > floor) {
+            if (mass[node] > data.empty_node) {
               body(node, axis, wall, side == 0 ? 1.0 : -1.0);
             }
           }
@@ -67,9 +57,10 @@ NodeSums& NodeSums::operator+=(const NodeSums& other) {
 }
 
 template <int Dim>
-NodeSums solve_nodes(MomentumData<Dim>& data, double step) {
-  const double floor = empty_share * full_cell(data);
+NodeSums accelerate_nodes(MomentumData<Dim>& data, double step) {
+  const double floor = data.empty_node;
   const double light = light_share * full_cell(data);
+  const bool limits = data.nodes.limits_strain();
   const double* mass = data.nodes.mass();
   const Index first = data.nodes.first(), count = data.nodes.last() - first;
   std::vector<NodeSums> partial(static_cast<std::size_t>((count + piece_rows - 1) / piece_rows));
@@ -93,7 +84,10 @@ NodeSums solve_nodes(MomentumData<Dim>& data, double step) {
           work += m[node] * internal * (old + 0.5 * change);
           velocity[node] = old + change;
           increment[node] = change;
-          strain_velocity[node] = old + step * gravity + internal * std::min(1.0, m[node] / light);
+          if (limits) {
+            strain_velocity[node] =
+                old + step * gravity + internal * std::min(1.0, m[node] / light);
+          }
         } else {
           velocity[node] = increment[node] = strain_velocity[node] = 0.0;
         }
@@ -107,7 +101,13 @@ NodeSums solve_nodes(MomentumData<Dim>& data, double step) {
   for (const NodeSums& sums : partial) {
     total += sums;
   }
-  for_each_wall_node(data, floor, [&](Index node, int normal, const Wall& wall, double inward) {
+  return total;
+}
+
+template <int Dim>
+void hold_nodes(MomentumData<Dim>& data, double step, NodeSums& total) {
+  const double* mass = data.nodes.mass();
+  for_each_wall_node(data, [&](Index node, int normal, const Wall& wall, double inward) {
     Vec<Dim> velocity, change, strain;
     for (int axis = 0; axis < Dim; ++axis) {
       strain[axis] = data.nodes.strain_velocity(axis)[node];
@@ -128,16 +128,17 @@ NodeSums solve_nodes(MomentumData<Dim>& data, double step) {
     for (int axis = 0; axis < Dim; ++axis) {
       total.wall_impulse[axis] += impulse[axis];
       data.nodes.velocity(axis)[node] = held[axis];
-      data.nodes.strain_velocity(axis)[node] = held_strain[axis];
+      if (data.nodes.limits_strain()) {
+        data.nodes.strain_velocity(axis)[node] = held_strain[axis];
+      }
       data.nodes.increment(axis)[node] = change[axis] + held[axis] - velocity[axis];
     }
   });
-  return total;
 }
 
 template <int Dim>
-void solve_second_velocity(MomentumData<Dim>& data) {
-  const double floor = empty_share * full_cell(data);
+void divide_second_velocity(MomentumData<Dim>& data) {
+  const double floor = data.empty_node;
   const Index first = data.nodes.first();
   parallel_ranges(data.nodes.last() - first, [&](Index begin, Index end) {
     const double* m = data.nodes.mass() + first;
@@ -148,7 +149,7 @@ void solve_second_velocity(MomentumData<Dim>& data) {
       }
     }
   });
-  if (data.settings.transfer == VelocityTransfer::flip) {
+  if (data.moves_with_mean) {
     // From here on the nodes only carry the points: with the mean velocity of the step.
     parallel_ranges(data.nodes.last() - first, [&](Index begin, Index end) {
       for (int axis = 0; axis < Dim; ++axis) {
@@ -160,7 +161,11 @@ void solve_second_velocity(MomentumData<Dim>& data) {
       }
     });
   }
-  for_each_wall_node(data, floor, [&](Index node, int normal, const Wall& wall, double inward) {
+}
+
+template <int Dim>
+void hold_second_velocity(MomentumData<Dim>& data) {
+  for_each_wall_node(data, [&](Index node, int normal, const Wall& wall, double inward) {
     Vec<Dim> velocity;
     for (int axis = 0; axis < Dim; ++axis) {
       velocity[axis] = data.nodes.second_velocity(axis)[node];
@@ -172,9 +177,13 @@ void solve_second_velocity(MomentumData<Dim>& data) {
   });
 }
 
-template NodeSums solve_nodes<2>(MomentumData<2>&, double);
-template NodeSums solve_nodes<3>(MomentumData<3>&, double);
-template void solve_second_velocity<2>(MomentumData<2>&);
-template void solve_second_velocity<3>(MomentumData<3>&);
+template NodeSums accelerate_nodes<2>(MomentumData<2>&, double);
+template NodeSums accelerate_nodes<3>(MomentumData<3>&, double);
+template void hold_nodes<2>(MomentumData<2>&, double, NodeSums&);
+template void hold_nodes<3>(MomentumData<3>&, double, NodeSums&);
+template void divide_second_velocity<2>(MomentumData<2>&);
+template void divide_second_velocity<3>(MomentumData<3>&);
+template void hold_second_velocity<2>(MomentumData<2>&);
+template void hold_second_velocity<3>(MomentumData<3>&);
 
 }  // namespace lapilli

@@ -16,14 +16,22 @@ struct NodeSums {
   NodeSums& operator+=(const NodeSums& other);
 };
 
-/// Velocity of every node that carries mass after `step`, v + dt (f / m + g), held by the walls;
-/// its change goes to `increment`, and to nodes without mass goes zero.
+/// Velocity of every node that carries mass after `step`, v + dt (f / m + g), nothing held yet; its
+/// change goes to `increment`, and to nodes without mass goes zero.
 template <int Dim>
-NodeSums solve_nodes(MomentumData<Dim>& data, double step);
+NodeSums accelerate_nodes(MomentumData<Dim>& data, double step);
 
-/// Divide the momentum projected again by the mass and hold it by the walls (MUSL). Under FLIP the
-/// nodal velocity becomes its mean over the step, which is what moves the points.
+/// Hold the nodes at walls, and book what the walls did.
 template <int Dim>
-void solve_second_velocity(MomentumData<Dim>& data);
+void hold_nodes(MomentumData<Dim>& data, double step, NodeSums& sums);
+
+/// Divide the momentum projected again by the mass (MUSL). Where points move with the mean velocity
+/// of the step, the nodal velocity becomes that.
+template <int Dim>
+void divide_second_velocity(MomentumData<Dim>& data);
+
+/// Hold the velocity projected again by the walls.
+template <int Dim>
+void hold_second_velocity(MomentumData<Dim>& data);
 
 }  // namespace lapilli

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "lapilli/core/quad.hpp"
 #include "lapilli/mpm/grid.hpp"
 #include "lapilli/mpm/shape_function.hpp"
@@ -20,6 +22,11 @@ struct AxisWeights {
     for (int axis = 0; axis < Dim; ++axis) {
       at[axis] = (position[axis] - grid.origin()[axis]) * scale;
       base[axis] = Shape::base(at[axis]);
+      if constexpr (support == 2) {
+        // On a face one node of the cell has no mass but all of the slope: keep a trace of it.
+        constexpr double trace = 1e-10;
+        at[axis] = std::clamp(at[axis], base[axis] + trace, base[axis] + (1.0 - trace));
+      }
       shape.evaluate(at[axis], base[axis], value[axis], slope[axis]);
       for (int k = 0; k < support; ++k) {
         slope[axis][k] *= scale;

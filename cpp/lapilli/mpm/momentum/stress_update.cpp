@@ -31,18 +31,20 @@ void store_rows(double* to, int stride, Quad value) {
 
 /// Running sum, least and largest of rows, in a fixed order.
 struct Lanes {
-  Quad plastic = all(0.0), strain = all(0.0), expansion = all(0.0);
+  Quad plastic = all(0.0), strain = all(0.0), ahead = all(0.0), expansion = all(0.0);
   Quad least = all(1.0), largest = all(0.0);
 
-  void add(Quad work, Quad strain_work, Quad volume, Quad ratio) {
+  void add(Quad work, Quad strain_work, Quad ahead_work, Quad volume, Quad ratio) {
     plastic += work;
     strain += strain_work;
+    ahead += ahead_work;
     least = volume < least ? volume : least;
     largest = ratio > largest ? ratio : largest;
   }
-  void add(double work, double strain_work, double volume, double ratio) {
+  void add(double work, double strain_work, double ahead_work, double volume, double ratio) {
     plastic[0] += work;
     strain[0] += strain_work;
+    ahead[0] += ahead_work;
     least[0] = std::min(volume, least[0]);
     largest[0] = std::max(ratio, largest[0]);
   }
@@ -52,6 +54,7 @@ struct Lanes {
     StressSums sums;
     sums.plastic = (plastic[0] + plastic[1]) + (plastic[2] + plastic[3]);
     sums.strain_work = (strain[0] + strain[1]) + (strain[2] + strain[3]);
+    sums.work_ahead = (ahead[0] + ahead[1]) + (ahead[2] + ahead[3]);
     sums.expansion = (expansion[0] + expansion[1]) + (expansion[2] + expansion[3]);
     sums.least_volume = std::min({least[0], least[1], least[2], least[3]});
     sums.wave_ratio = std::max({largest[0], largest[1], largest[2], largest[3]});
@@ -166,7 +169,7 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
     const Real growth = deform(m, block, row, free_strain, s, strain);
     const Real before = load<Real>(rows.volume + row);
     const Real volume = before * growth;
-    Real strained = contract(m, s, strain, free_strain);
+    const Real strained = contract(m, s, strain, free_strain);
     Real work = as<Real>(0.0);
     if constexpr (yields) {
       Real trial[components];
@@ -182,16 +185,17 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
         store(rows.plastic + row, load<Real>(rows.plastic + row) + work);
       }
     }
+    Real reached = as<Real>(0.0);
     for (int c = 0; c < components; ++c) {
       store_rows(stress + c, components, s[c]);
-      strained += s[c] * strain[c];
+      reached += s[c] * strain[c];
     }
     store(rows.volume + row, volume);
     if (rows.free_strain) {
       // Elastic energy that strain alone did not bring: the mean stress on the free strain.
       lanes.add_expansion(-0.25 * (before + volume) * (trace + s[0] + s[1] + s[2]) * free_strain);
     }
-    lanes.add(work, 0.25 * (before + volume) * strained, growth,
+    lanes.add(work, 0.25 * (before + volume) * (strained + reached), 0.5 * volume * reached, growth,
               volume / load<Real>(rows.mass + row));
   });
   return lanes.total();

@@ -35,6 +35,7 @@ struct StressRows {
 struct StressSums {
   double plastic = 0.0;       // J
   double strain_work = 0.0;   // J, of the mean stress of the step on its strain
+  double work_ahead = 0.0;    // J, half the work of the stress reached on the strain
   double expansion = 0.0;     // J, given to the points by their free strain
   double least_volume = 1.0;  // least determinant of the incremental deformation
   double wave_ratio = 0.0;    // largest volume over mass, m^Dim/kg

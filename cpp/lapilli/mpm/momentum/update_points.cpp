@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "lapilli/mpm/momentum/mover.hpp"
 #include "lapilli/mpm/momentum/velocity_update.hpp"
 
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -19,41 +19,6 @@ double squared(const double* vector) {
   }
   return sum;
 }
-
-/// Moves points: walls hold them at the face, elsewhere they may leave and are reported.
-template <int Dim>
-class Mover {
- public:
-  Mover(const MomentumData<Dim>& data, double step) : step_(step) {
-    const double slack = 1e-9 * data.grid.cell_size();
-    for (int axis = 0; axis < Dim; ++axis) {
-      lower_[axis] = data.grid.lower()[axis] - slack;
-      upper_[axis] = data.grid.upper()[axis] + slack;
-      const double far = std::numeric_limits<double>::infinity();
-      const bool held_below = !data.walls[2 * axis].is_open();
-      const bool held_above = !data.walls[2 * axis + 1].is_open();
-      least_[axis] = held_below ? data.grid.lower()[axis] : -far;
-      most_[axis] = held_above ? data.grid.upper()[axis] : far;
-    }
-  }
-
-  /// Whether the point is still inside the grid and finite.
-  bool operator()(double* position, const double* velocity) const {
-    bool inside = true;
-    for (int axis = 0; axis < Dim; ++axis) {
-      double x = position[axis] + step_ * velocity[axis];
-      x = x < least_[axis] ? least_[axis] : x;
-      x = x > most_[axis] ? most_[axis] : x;
-      position[axis] = x;
-      inside = inside & (x >= lower_[axis]) & (x <= upper_[axis]);
-    }
-    return inside;
-  }
-
- private:
-  double step_;
-  double lower_[Dim], upper_[Dim], least_[Dim], most_[Dim];
-};
 
 /// Sums over pieces of the points, added in order.
 template <class Body>
@@ -87,6 +52,7 @@ void deform_block(MomentumData<Dim>& data, const DeformationBlock<Dim>& block, I
     const StressSums found = update_stress<Dim>(material, block, at, first, last);
     sums.plastic += found.plastic;
     sums.strain_work += found.strain_work;
+    sums.work_ahead += found.work_ahead;
     sums.expansion += found.expansion;
     sums.least_volume = std::min(sums.least_volume, found.least_volume);
     sums.wave_speed = std::max(sums.wave_speed, material.wave_modulus * found.wave_ratio);
@@ -103,12 +69,13 @@ void deform_block(MomentumData<Dim>& data, const DeformationBlock<Dim>& block, I
 }
 
 /// Move and deform the points [begin, end), a block at a time. read(row, axes, weights, velocity,
-/// gradient, sums) reads both of a point from the nodes.
-template <int Dim, class Shape, class Read>
+/// gradient, sums) reads both of a point from the nodes. Points that drifted over the first half of
+/// the step (`in_halves`) move over the second.
+template <int Dim, class Shape, bool in_halves, class Read>
 [[gnu::always_inline]] inline PointSums move_and_deform(MomentumData<Dim>& data, double step,
                                                         Index begin, Index end, const Read& read) {
   const ShapeOfBody<Shape> shape_of(data.half_widths);
-  const Mover<Dim> move(data, step);
+  const Mover<Dim> move(data, in_halves ? 0.5 * step : step);
   const Grid<Dim> grid = data.grid;
   double* position = data.points.position().data();
   const Index* body = data.points.body().data();
@@ -136,22 +103,25 @@ template <int Dim, class Shape, class Read>
 template <int Dim, class Shape, VelocityTransfer transfer>
 PointSums update_usl_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& stencil, double step,
                           Index begin, Index end) {
-  const VelocityUpdate<Dim, Shape, transfer, true> update(data);
+  const VelocityUpdate<Dim, Shape, transfer, true> update(data, step);
   typename VelocityUpdate<Dim, Shape, transfer, true>::Nodes nodes(stencil, update.from);
-  return move_and_deform<Dim, Shape>(
+  return move_and_deform<Dim, Shape, is_affine<transfer, Shape>>(
       data, step, begin, end,
       [&](Index row, const auto& axes, const auto& w, double* velocity, double* gradient,
           PointSums& sums) {
         nodes.move_to(axes.first);
         sums.kinetic += update(row, nodes, axes, w, velocity, gradient);
+        if constexpr (is_affine<transfer, Shape>) {
+          std::copy_n(velocity, Dim, data.carried->data() + row * Dim);
+        }
         sums.speed = std::max(sums.speed, squared<Dim>(data.velocity.data() + row * Dim));
       });
 }
 
 template <int Dim, class Shape, VelocityTransfer transfer>
 PointSums update_velocity_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& stencil,
-                               Index begin, Index end) {
-  const VelocityUpdate<Dim, Shape, transfer, false> update(data);
+                               double step, Index begin, Index end) {
+  const VelocityUpdate<Dim, Shape, transfer, false> update(data, step);
   typename VelocityUpdate<Dim, Shape, transfer, false>::Nodes nodes(stencil, update.from);
   double* to[Dim];
   for (int axis = 0; axis < Dim; ++axis) {
@@ -170,6 +140,9 @@ PointSums update_velocity_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape
     sums.move_to(axes.first);
     double carried[Dim];
     found.kinetic += update(row, nodes, axes, w, carried, nullptr);
+    if constexpr (is_affine<transfer, Shape>) {
+      std::copy_n(carried, Dim, data.carried->data() + row * Dim);
+    }
     const double* velocity = data.velocity.data() + row * Dim;
     found.speed = std::max(found.speed, squared<Dim>(velocity));
     add_momentum<transfer>(sums, 0, w, axes, grid.cell_size(), data.mass[row], velocity,
@@ -178,47 +151,54 @@ PointSums update_velocity_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape
   return found;
 }
 
-template <int Dim, class Shape>
+template <int Dim, class Shape, bool in_halves>
 PointSums update_musl_rows(MomentumData<Dim>& data, const Stencil<Dim, Shape>& stencil, double step,
                            Index begin, Index end) {
-  const double* from[2 * Dim];
+  constexpr int gradients = Dim * Dim, values = in_halves ? 0 : Dim;
+  const double* from[values + Dim];
   for (int axis = 0; axis < Dim; ++axis) {
-    from[axis] = data.nodes.velocity(axis);
-    from[Dim + axis] = data.nodes.second_velocity(axis);
+    from[axis] = data.nodes.second_velocity(axis);
+    if constexpr (!in_halves) {
+      from[Dim + axis] = data.nodes.velocity(axis);
+    }
   }
-  CellNodes<Dim, Shape, 2 * Dim> nodes(stencil, from);
-  return move_and_deform<Dim, Shape>(
+  CellNodes<Dim, Shape, values + Dim> nodes(stencil, from);
+  const double* carried = in_halves ? data.carried->data() : nullptr;
+  return move_and_deform<Dim, Shape, in_halves>(
       data, step, begin, end,
-      [&](Index, const auto& axes, const auto& w, double* velocity, double* gradient, PointSums&) {
+      [&](Index row, const auto& axes, const auto& w, double* velocity, double* gradient,
+          PointSums&) {
         nodes.move_to(axes.first);
-        constexpr int count = (Dim + Dim * Dim + 3) / 4 * 4;
+        constexpr int count = (gradients + values + 3) / 4 * 4;
         Quad parts[count];
         for (int axis = 0; axis < Dim; ++axis) {
-          parts[axis] = nodes.weigh(axis, w.value);
           for (int along = 0; along < Dim; ++along) {
-            parts[Dim + axis * Dim + along] = nodes.weigh(Dim + axis, w.slope[along]);
+            parts[axis * Dim + along] = nodes.weigh(axis, w.slope[along]);
+          }
+          if constexpr (!in_halves) {
+            parts[gradients + axis] = nodes.weigh(Dim + axis, w.value);
           }
         }
-        for (int c = Dim + Dim * Dim; c < count; ++c) {
+        for (int c = gradients + values; c < count; ++c) {
           parts[c] = all(0.0);
         }
         alignas(32) double value[count];
         add_lanes(parts, value);
-        std::copy_n(value, Dim, velocity);
-        std::copy_n(value + Dim, Dim * Dim, gradient);
+        std::copy_n(value, gradients, gradient);
+        std::copy_n(in_halves ? carried + row * Dim : value + gradients, Dim, velocity);
       });
 }
 
 }  // namespace
 
 template <int Dim>
-PointSums update_velocities(MomentumData<Dim>& data) {
+PointSums update_velocities(MomentumData<Dim>& data, double step) {
   data.nodes.clear_second_velocity();
   std::vector<PointSums> partial(static_cast<std::size_t>(data.order.strip_count()));
   with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
     const Stencil<Dim, Shape> stencil(data.grid);
     data.order.for_each_strip([&](Index begin, Index end, Index strip) {
-      partial[strip] = update_velocity_rows<Dim, Shape, transfer>(data, stencil, begin, end);
+      partial[strip] = update_velocity_rows<Dim, Shape, transfer>(data, stencil, step, begin, end);
     });
   });
   PointSums total;
@@ -237,7 +217,8 @@ PointSums update_points(MomentumData<Dim>& data, double step) {
     total = sum_over_points(data.points.size(), [&](Index begin, Index end) {
       return data.settings.stress_update == StressUpdate::usl
                  ? update_usl_rows<Dim, Shape, transfer>(data, stencil, step, begin, end)
-                 : update_musl_rows<Dim, Shape>(data, stencil, step, begin, end);
+                 : update_musl_rows<Dim, Shape, is_affine<transfer, Shape>>(data, stencil, step,
+                                                                            begin, end);
     });
   });
   total.speed = std::sqrt(total.speed);
@@ -245,8 +226,8 @@ PointSums update_points(MomentumData<Dim>& data, double step) {
   return total;
 }
 
-template PointSums update_velocities<2>(MomentumData<2>&);
-template PointSums update_velocities<3>(MomentumData<3>&);
+template PointSums update_velocities<2>(MomentumData<2>&, double);
+template PointSums update_velocities<3>(MomentumData<3>&, double);
 template PointSums update_points<2>(MomentumData<2>&, double);
 template PointSums update_points<3>(MomentumData<3>&, double);
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <Eigen/LU>
+#include <cmath>
+
 #include "lapilli/mpm/momentum/cell_sums.hpp"
 
 #pragma GCC diagnostic push
@@ -7,26 +10,31 @@
 
 namespace lapilli {
 
-/// Takes the velocity of points from the nodes: FLIP adds the interpolated increment and blends in
-/// the nodal velocity, the affine transfers take the nodal velocity and their matrix.
+/// Takes the velocity of points from the nodes. FLIP adds the interpolated increment and blends in
+/// a share of the nodal velocity each step; APIC and TPIC take the nodal velocity and their matrix;
+/// the blend adds increments of both and lets what they leave out fade with the strain of the step.
 template <int Dim, class Shape, VelocityTransfer transfer, bool with_gradient>
 class VelocityUpdate {
  public:
-  static constexpr bool flip = transfer == VelocityTransfer::flip;
-  static constexpr bool slopes = with_gradient || transfer == VelocityTransfer::tpic;
-  static constexpr int values = flip ? 2 * Dim : Dim;  // velocity, and increment
+  static constexpr bool affine = is_affine<transfer, Shape>;
+  static constexpr bool blended = transfer == VelocityTransfer::blended_apic;
+  static constexpr bool increments = blended || !affine;
+  static constexpr bool levered = affine && transfer != VelocityTransfer::tpic;
+  static constexpr bool slopes = with_gradient || !(levered || transfer == VelocityTransfer::flip);
+  static constexpr int values = increments ? 2 * Dim : Dim;  // velocity, and increment
   static constexpr int arrays = values + (slopes ? Dim : 0);
   using Nodes = CellNodes<Dim, Shape, arrays>;
 
-  explicit VelocityUpdate(MomentumData<Dim>& data)
+  VelocityUpdate(MomentumData<Dim>& data, double step)
       : h_(data.grid.cell_size()),
-        pic_share_(data.settings.pic_share),
+        share_(blended ? data.settings.blend_rate : data.settings.pic_share),
+        step_(step),
         velocity_(data.velocity.data()),
         affine_(data.affine ? data.affine->data() : nullptr),
         mass_(data.mass.data()) {
     for (int axis = 0; axis < Dim; ++axis) {
       from[axis] = data.nodes.velocity(axis);
-      if constexpr (flip) {
+      if constexpr (increments) {
         from[Dim + axis] = data.nodes.increment(axis);
       }
       if constexpr (slopes) {
@@ -38,15 +46,13 @@ class VelocityUpdate {
   const double* from[arrays];  // nodal arrays that it reads
 
   /// Update one point; writes the velocity of its place over the step to `carried` (FLIP: the mean
-  /// of before and after, so that a constant acceleration is exact; affine: the one after, which
-  /// keeps angular momentum) and the gradient of the strain velocity, row-major, to `gradient`
-  /// where asked for. Returns its kinetic energy.
+  /// of before and after; affine: the one after) and the gradient of the strain velocity,
+  /// row-major, to `gradient` where asked for. Returns its kinetic energy.
   double operator()(Index row, const Nodes& nodes, const AxisWeights<Dim, Shape>& axes,
                     const QuadWeights<Dim, Shape>& w, double* carried, double* gradient) const {
-    constexpr bool affine = !flip;
     constexpr int first_gradient = values;
     constexpr int first_lever = first_gradient + (slopes ? Dim * Dim : 0);
-    constexpr int used = first_lever + (transfer == VelocityTransfer::apic ? Dim * Dim : 0);
+    constexpr int used = first_lever + (levered ? values * Dim : 0);
     constexpr int count = (used + 3) / 4 * 4;
     Quad parts[count];
     for (int k = used; k < count; ++k) {
@@ -62,11 +68,11 @@ class VelocityUpdate {
         }
       }
     }
-    if constexpr (transfer == VelocityTransfer::apic) {
+    if constexpr (levered) {
       double factor[Dim][Shape::support];
       levers(axes, h_, factor);
       const QuadWeights<Dim, Shape> lever(axes.value, factor);
-      for (int axis = 0; axis < Dim; ++axis) {
+      for (int axis = 0; axis < values; ++axis) {
         for (int along = 0; along < Dim; ++along) {
           parts[first_lever + axis * Dim + along] = nodes.weigh(axis, lever.slope[along]);
         }
@@ -75,14 +81,20 @@ class VelocityUpdate {
     alignas(32) double value[count];
     add_lanes(parts, value);
 
-    double* velocity = velocity_ + row * Dim;
     double square = 0.0;
+    double share = share_;
+    if constexpr (blended && affine) {
+      square = blend_affine(row, axes, value + first_lever, share);
+    } else if constexpr (blended) {
+      share = 1.0 - kept(Eigen::Map<const RowMajor>(value + first_gradient));
+    } else if constexpr (affine) {
+      square = keep_affine(row, axes, value + (levered ? first_lever : first_gradient));
+    }
+    double* velocity = velocity_ + row * Dim;
     for (int axis = 0; axis < Dim; ++axis) {
-      carried[axis] = value[axis];
-      if constexpr (flip) {
-        carried[axis] -= 0.5 * value[Dim + axis];
-        velocity[axis] =
-            (1.0 - pic_share_) * (velocity[axis] + value[Dim + axis]) + pic_share_ * value[axis];
+      carried[axis] = affine ? value[axis] : value[axis] - 0.5 * value[values - Dim + axis];
+      if constexpr (increments) {
+        velocity[axis] = (1.0 - share) * (velocity[axis] + value[Dim + axis]) + share * value[axis];
       } else {
         velocity[axis] = value[axis];
       }
@@ -93,15 +105,46 @@ class VelocityUpdate {
         gradient[k] = value[first_gradient + k];
       }
     }
-    if constexpr (affine) {
-      square += keep_affine(
-          row, axes,
-          transfer == VelocityTransfer::apic ? value + first_lever : value + first_gradient);
-    }
     return 0.5 * mass_[row] * square;
   }
 
  private:
+  using Matrix = Eigen::Matrix<double, Dim, Dim>;
+  using RowMajor = Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>;
+
+  /// What a point keeps of its own over a step in which its surroundings deform by `rate`: it does
+  /// not know the number of steps, nor flight or spin, nor the stiffness.
+  double kept(const Matrix& rate) const {
+    return std::exp(-share_ * step_ * (0.5 * (rate + rate.transpose())).norm());
+  }
+
+  /// C <- (C+ + keep (C - C-)) (1 + dt C+)^-1 with the nodes' matrices before and after the step;
+  /// the last factor carries the gradient with the deformation. Sets the share of the nodes, and
+  /// returns twice the kinetic energy of the matrix over the mass.
+  double blend_affine(Index row, const AxisWeights<Dim, Shape>& axes, const double* lever,
+                      double& share) const {
+    Eigen::Map<RowMajor> own(affine_ + row * Dim * Dim);
+    Matrix after, change;
+    double moment[Dim];
+    for (int along = 0; along < Dim; ++along) {
+      moment[along] = second_moment(axes, h_, along);
+      const double inverse = 1.0 / moment[along];
+      for (int axis = 0; axis < Dim; ++axis) {
+        after(axis, along) = lever[axis * Dim + along] * inverse;
+        change(axis, along) = lever[(Dim + axis) * Dim + along] * inverse;
+      }
+    }
+    const double keep = kept(after);
+    share = 1.0 - keep;
+    const Matrix carry = Matrix::Identity() + step_ * after;
+    own = ((after + keep * (own - after + change)) * carry.inverse()).eval();
+    double square = 0.0;
+    for (int along = 0; along < Dim; ++along) {
+      square += own.col(along).squaredNorm() * moment[along];
+    }
+    return square;
+  }
+
   /// Store the affine matrix; returns twice its kinetic energy over the mass.
   double keep_affine(Index row, const AxisWeights<Dim, Shape>& axes, const double* found) const {
     double* matrix = affine_ + row * Dim * Dim;
@@ -120,7 +163,7 @@ class VelocityUpdate {
     return square;
   }
 
-  double h_, pic_share_;
+  double h_, share_, step_;
   double* velocity_;
   double* affine_;
   const double* mass_;

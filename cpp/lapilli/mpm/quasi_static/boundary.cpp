@@ -1,5 +1,6 @@
 #include "lapilli/mpm/quasi_static/boundary.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,7 +31,11 @@ std::vector<Vec<Dim>> values_at(const std::vector<Value>& law, const std::vector
 }
 
 template <int Dim>
-Boundary<Dim>::Boundary(const QuasiStaticSettings& settings) : settings_(settings) {
+Boundary<Dim>::Boundary(const QuasiStaticSettings& settings, std::vector<Shape> bodies)
+    : settings_(settings), bodies_(std::move(bodies)) {
+  for (const Shape& body : bodies_) {
+    check(body, Dim);
+  }
   for (const WallSettings& wall : settings.walls) {
     names_.push_back(wall.name.empty() ? message(names_.size() + 1) : wall.name);
     kinds_.push_back(wall.kind);
@@ -40,6 +45,9 @@ Boundary<Dim>::Boundary(const QuasiStaticSettings& settings) : settings_(setting
   for (const TractionSettings& traction : settings.tractions) {
     require(traction.traction.size() <= Dim, "traction '", traction.name, "' has ",
             traction.traction.size(), " values, the scene has ", Dim, " axes");
+    require(!traction.traction.empty() || !traction.pressure.is_constant() ||
+                traction.pressure.at(0.0) != 0.0,
+            "traction '", traction.name, "' needs a traction or a pressure");
     tractions_.emplace_back(traction.surface, std::vector<Value>{},
                             "traction '" + traction.name + "'");
   }
@@ -70,23 +78,61 @@ std::vector<Facet<Dim>> Boundary<Dim>::cut_walls(const Grid<Dim>& grid, CellStat
 }
 
 template <int Dim>
-void Boundary<Dim>::add_tractions(const Grid<Dim>& grid, const CellState<Dim>& state, double time,
-                                  Loads<Dim>& loads) const {
-  for (std::size_t t = 0; t < tractions_.size(); ++t) {
-    std::vector<Facet<Dim>> facets =
-        tractions_[t].cut(grid, state.occupied, static_cast<int>(t), time, {});
-    if (facets.empty()) {
-      throw RunError(message(tractions_[t].what(), " meets no material"));
+std::vector<LoadedSurface<Dim>> Boundary<Dim>::cut_tractions(const Grid<Dim>& grid,
+                                                             const CellState<Dim>& state) const {
+  // Surfaces of shapes may go on beyond a body: this far off it (cells) they still lie on it.
+  constexpr double slack = 1e-3;
+  const auto on_a_body = [&](const Vec3& at) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Shape& body : bodies_) {
+      least = std::min(least, lapilli::distance(body, at));
     }
-    for (Facet<Dim>& facet : facets) {
-      std::vector<Vec3> places;
-      for (const auto& point : facet.points) {
-        places.push_back(in_space<Dim>(point.position));
-      }
-      loads.tractions.push_back(values_at<Dim>(settings_.tractions[t].traction, places, time));
-      loads.traction_faces.push_back(std::move(facet));
+    return slack * grid.cell_size() - least;
+  };
+  const std::vector<char> everywhere(grid.cell_count(), 1);
+  const std::vector<char> near = cells_near_material(grid, state);
+  std::vector<LoadedSurface<Dim>> surfaces;
+  for (const MovingSurface<Dim>& traction : tractions_) {
+    std::vector<Facet<Dim>> facets;
+    if (!traction.is_solid()) {
+      facets = traction.cut(grid, everywhere, 0, 0.0, {});
+      traction.require_whole(facets);
+    } else if (!bodies_.empty()) {
+      facets = traction.cut(grid, near, 0, 0.0, {}, on_a_body);
+    } else {
+      CellState<Dim> moduli = state;
+      facets = facets_at_material(grid, moduli, traction.cut(grid, near, 0, 0.0, {}), true);
+    }
+    if (facets.empty()) {
+      throw RunError(message(traction.what(), " meets no material: move it to the body's surface"));
+    }
+    surfaces.emplace_back(traction.what());
+    surfaces.back().start(facets);
+  }
+  return surfaces;
+}
+
+template <int Dim>
+std::vector<SurfaceForce<Dim>> Boundary<Dim>::surface_forces(
+    const std::vector<LoadedSurface<Dim>>& surfaces, double time) const {
+  std::vector<SurfaceForce<Dim>> forces;
+  for (std::size_t t = 0; t < surfaces.size(); ++t) {
+    const std::vector<LoadedPoint<Dim>>& points = surfaces[t].points();
+    std::vector<Vec3> places;
+    for (const LoadedPoint<Dim>& point : points) {
+      places.push_back(in_space<Dim>(point.position));
+    }
+    const TractionSettings& law = settings_.tractions[t];
+    const std::vector<Vec<Dim>> tractions = values_at<Dim>(law.traction, places, time);
+    std::vector<double> pressures(places.size());
+    law.pressure.evaluate(places, {}, time, pressures);
+    for (std::size_t q = 0; q < points.size(); ++q) {
+      const Vec<Dim>& area = points[q].area;
+      forces.push_back({points[q].cell, points[q].position,
+                        Vec<Dim>(area.norm() * tractions[q] + pressures[q] * area)});
     }
   }
+  return forces;
 }
 
 template <int Dim>

@@ -7,6 +7,7 @@
 #include "lapilli/core/points.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/quasi_static/equilibrium.hpp"
+#include "lapilli/mpm/quasi_static/loaded_surface.hpp"
 #include "lapilli/mpm/quasi_static/moving_surface.hpp"
 
 namespace lapilli {
@@ -27,8 +28,9 @@ template <int Dim>
 class Boundary {
  public:
   /// Throws std::invalid_argument for surfaces and laws that cannot be used. `settings` must
-  /// outlive it.
-  explicit Boundary(const QuasiStaticSettings& settings);
+  /// outlive it. `bodies`: the shapes of all bodies at time 0, where tractions on surfaces of
+  /// shapes end; empty: not known.
+  explicit Boundary(const QuasiStaticSettings& settings, std::vector<Shape> bodies = {});
 
   std::size_t walls() const { return walls_.size(); }
   const MovingSurface<Dim>& wall(std::size_t w) const { return walls_[w]; }
@@ -40,9 +42,13 @@ class Boundary {
   std::vector<Facet<Dim>> cut_walls(const Grid<Dim>& grid, CellState<Dim>& state,
                                     double time) const;
 
-  /// Add the tractions of a time. Throws RunError naming one that meets no material.
-  void add_tractions(const Grid<Dim>& grid, const CellState<Dim>& state, double time,
-                     Loads<Dim>& loads) const;
+  /// The surfaces of all tractions at time 0. Throws RunError naming one that meets no material or
+  /// leaves the grid.
+  std::vector<LoadedSurface<Dim>> cut_tractions(const Grid<Dim>& grid,
+                                                const CellState<Dim>& state) const;
+  /// The forces of the tractions at a time on these surfaces.
+  std::vector<SurfaceForce<Dim>> surface_forces(const std::vector<LoadedSurface<Dim>>& surfaces,
+                                                double time) const;
 
   /// The wall whose face is nearest to a place at time 0, in words.
   std::string nearest_wall(const Vec<Dim>& place) const;
@@ -64,6 +70,7 @@ class Boundary {
   std::vector<MovingSurface<Dim>> walls_, tractions_;
   std::vector<HeldMotion> kinds_;
   std::vector<std::string> names_;
+  std::vector<Shape> bodies_;
 };
 
 }  // namespace lapilli

@@ -19,8 +19,8 @@ bool at_edge(const Grid<Dim>& grid, const std::vector<char>& occupied, Index cel
 }  // namespace
 
 template <int Dim>
-CellState<Dim>::CellState(const Grid<Dim>& grid, const Points& points,
-                          const PointWeights<Dim>& weights,
+CellState<Dim>::CellState(const Grid<Dim>& grid, std::span<const double> volume_of,
+                          std::span<const Index> body, const PointWeights<Dim>& weights,
                           std::span<const LinearElastic> materials)
     : occupied(grid.cell_count(), 0),
       lame(grid.cell_count(), 0.0),
@@ -28,8 +28,8 @@ CellState<Dim>::CellState(const Grid<Dim>& grid, const Points& points,
       youngs(grid.cell_count(), 0.0) {
   std::vector<double> volume(grid.cell_count(), 0.0);
   for (Index p : weights.order()) {
-    const LinearElastic& material = materials[points.body()[p]];
-    const double v = points.volume()[p];
+    const LinearElastic& material = materials[body[p]];
+    const double v = volume_of[p];
     for_each_cell(grid, weights.box(p), [&](Index cell) {
       occupied[cell] = 1;
       volume[cell] += v;

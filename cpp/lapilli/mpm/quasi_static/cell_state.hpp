@@ -4,6 +4,7 @@
 
 #include "lapilli/core/points.hpp"
 #include "lapilli/materials/stiffness.hpp"
+#include "lapilli/mpm/quasi_static/mean_dilatation.hpp"
 #include "lapilli/mpm/quasi_static/point_weights.hpp"
 #include "lapilli/mpm/quasi_static/surface.hpp"
 
@@ -17,9 +18,11 @@ struct CellState {
   std::vector<double> lame;    // Pa
   std::vector<double> shear;   // Pa
   std::vector<double> youngs;  // Pa
+  MeanDilatation<Dim> mean;    // of nearly incompressible material; empty until built
 
-  CellState(const Grid<Dim>& grid, const Points& points, const PointWeights<Dim>& weights,
-            std::span<const LinearElastic> materials);
+  /// `volume` of each point, m^Dim; `body` of each, an index into `materials`.
+  CellState(const Grid<Dim>& grid, std::span<const double> volume, std::span<const Index> body,
+            const PointWeights<Dim>& weights, std::span<const LinearElastic> materials);
 };
 
 /// Marks the cells in which a wall may hold material: occupied ones and their neighbours.

@@ -7,13 +7,14 @@
 
 namespace lapilli {
 template <int Dim>
-Equilibrium<Dim>::Equilibrium(const Grid<Dim>& grid, const Points& points,
-                              const PointWeights<Dim>& weights, const CellState<Dim>& state,
-                              std::span<const LinearElastic> materials,
+Equilibrium<Dim>::Equilibrium(const Grid<Dim>& grid, std::span<const double> volume,
+                              std::span<const Index> body, const PointWeights<Dim>& weights,
+                              const CellState<Dim>& state, std::span<const LinearElastic> materials,
                               std::span<const double> stress, const Loads<Dim>& loads,
                               NodeSystem<Dim>& system, DirectSolver& solver)
     : grid_(grid),
-      points_(points),
+      volume_(volume),
+      body_(body),
       weights_(weights),
       state_(state),
       materials_(materials),
@@ -48,46 +49,57 @@ void Equilibrium<Dim>::lay_out() {
 }
 
 template <int Dim>
+template <class Add>
+void Equilibrium<Dim>::spread(const SurfaceForce<Dim>& load, const Add& add) const {
+  CellBox<Dim> box{load.cell, {}};
+  box.cells.fill(1);
+  double value[1 << Dim];
+  Vec<Dim> gradient[1 << Dim];
+  cell_shape<Dim>(grid_, load.cell, load.position, value, gradient);
+  for_each_node(grid_, box, [&](int a, Index node) {
+    add(Dim * system_.row(node), Vec<Dim>(value[a] * load.force));
+  });
+}
+
+template <int Dim>
 void Equilibrium<Dim>::external_force() {
   external_ = Eigen::VectorXd::Zero(system_.unknowns());
   if (!loads_.body_force.empty()) {
     weights_.for_each_group([&](const typename PointWeights<Dim>::Group& group) {
       for (Index k = group.begin; k < group.end; ++k) {
         const Index p = weights_.order()[k];
-        const Vec<Dim> load = points_.volume()[p] * loads_.body_force[p];
+        const Vec<Dim> load = volume_[p] * loads_.body_force[p];
         const double* value = weights_.value(p);
+        const Vec<Dim>* gradient = weights_.gradient(p);
+        const Vec<Dim>* mean = state_.mean.of_point(p);
+        const double linear_pressure = load.dot(state_.mean.arm(p));
         for_each_node(grid_, group.box, [&](int a, Index node) {
-          external_.segment<Dim>(Dim * system_.row(node)) += value[a] * load;
+          Vec<Dim> on_node = value[a] * load;
+          if (mean != nullptr) {
+            on_node += linear_pressure * (gradient[a] - mean[a]);
+          }
+          external_.segment<Dim>(Dim * system_.row(node)) += on_node;
         });
       }
     });
   }
-  for (std::size_t f = 0; f < loads_.traction_faces.size(); ++f) {
-    const Facet<Dim>& facet = loads_.traction_faces[f];
-    CellBox<Dim> box{facet.cell, {}};
-    box.cells.fill(1);
-    for (std::size_t q = 0; q < facet.points.size(); ++q) {
-      double value[1 << Dim];
-      Vec<Dim> gradient[1 << Dim];
-      cell_shape<Dim>(grid_, facet.cell, facet.points[q].position, value, gradient);
-      for_each_node(grid_, box, [&](int a, Index node) {
-        if (system_.row(node) >= 0) {
-          external_.segment<Dim>(Dim * system_.row(node)) +=
-              facet.points[q].weight * value[a] * loads_.tractions[f][q];
-        }
-      });
-    }
+  for (const SurfaceForce<Dim>& load : loads_.surface_forces) {
+    spread(load, [&](Index row, const Vec<Dim>& force) { external_.segment<Dim>(row) += force; });
   }
 }
 
 template <int Dim>
 SymmetricTensor Equilibrium<Dim>::strain(Index point, const Eigen::VectorXd& u) const {
   const Vec<Dim>* gradient = weights_.gradient(point);
+  const Vec<Dim>* mean = state_.mean.of_point(point);
   Mat3 slope = Mat3::Zero();
+  double added = 0.0;  // dilatation of the cell minus that of the point
   for_each_node(grid_, weights_.box(point), [&](int a, Index node) {
-    slope.topLeftCorner<Dim, Dim>() +=
-        u.segment<Dim>(Dim * system_.row(node)) * gradient[a].transpose();
+    const Vec<Dim> move = u.segment<Dim>(Dim * system_.row(node));
+    slope.topLeftCorner<Dim, Dim>() += move * gradient[a].transpose();
+    added += mean != nullptr ? move.dot(mean[a] - gradient[a]) : 0.0;
   });
+  slope.diagonal().array() += added / 3.0;
   return symmetric_part(slope);
 }
 
@@ -101,73 +113,132 @@ Vec<Dim> Equilibrium<Dim>::displacement(Index point, const Eigen::VectorXd& u) c
   return sum;
 }
 
+/// Forces of the points. What cancels in the strain of a nearly rigid point is as large as its
+/// stiffness times the displacement.
 template <int Dim>
-void Equilibrium<Dim>::add_internal_force(const Eigen::VectorXd& u, Eigen::VectorXd& force) const {
+void Equilibrium<Dim>::add_internal_force(const Eigen::VectorXd& u, Eigen::VectorXd& force,
+                                          Eigen::VectorXd& cancelled) const {
   weights_.for_each_group([&](const typename PointWeights<Dim>::Group& group) {
     for (Index k = group.begin; k < group.end; ++k) {
       const Index p = weights_.order()[k];
-      SymmetricTensor stress = stress_of(materials_[points_.body()[p]], strain(p, u));
+      const LinearElastic& material = materials_[body_[p]];
+      SymmetricTensor stress = stress_of(material, strain(p, u));
+      double held = 0.0;
       for (int c = 0; c < 6; ++c) {
+        held = std::max(held, std::abs(stress_[6 * p + c]));
         stress[c] += stress_[6 * p + c];
       }
-      const Mat<Dim> load = points_.volume()[p] * stress.template block<Dim>();
+      const Mat<Dim> load = volume_[p] * stress.template block<Dim>();
+      const double pressure = volume_[p] * stress.trace() / 3.0;
       const Vec<Dim>* gradient = weights_.gradient(p);
+      const Vec<Dim>* mean = state_.mean.of_point(p);
+      double turned = 0.0;
       for_each_node(grid_, group.box, [&](int a, Index node) {
-        force.segment<Dim>(Dim * system_.row(node)) += load * gradient[a];
+        turned += gradient[a].norm() * u.segment<Dim>(Dim * system_.row(node)).norm();
+      });
+      const double size = volume_[p] * (held + material.wave_modulus() * turned);
+      for_each_node(grid_, group.box, [&](int a, Index node) {
+        Vec<Dim> on_node = load * gradient[a];
+        if (mean != nullptr) {
+          on_node += pressure * (mean[a] - gradient[a]);
+        }
+        const Index row = Dim * system_.row(node);
+        force.segment<Dim>(row) += on_node;
+        cancelled.segment<Dim>(row).array() += size * gradient[a].norm();
       });
     }
   });
 }
 
 template <int Dim>
-Imbalance Equilibrium<Dim>::residual(const Eigen::VectorXd& u) const {
-  Eigen::VectorXd internal = Eigen::VectorXd::Zero(system_.unknowns());
-  add_internal_force(u, internal);
-  const Eigen::VectorXd held_back = total(u);
-  double reference = std::max(external_.squaredNorm(), internal.squaredNorm());
-  double wall_square = 0.0, rounding_square = 0.0;
-  const auto gather = [&](const CellBox<Dim>& box) {
-    Eigen::VectorXd local(Dim * box.node_count());
-    for_each_node(grid_, box, [&](int a, Index node) {
-      local.segment<Dim>(Dim * a) = held_back.segment<Dim>(Dim * system_.row(node));
-    });
-    return local;
-  };
-  const auto scatter = [&](const CellBox<Dim>& box, const Eigen::VectorXd& local) {
-    for_each_node(grid_, box, [&](int a, Index node) {
-      internal.segment<Dim>(Dim * system_.row(node)) += local.segment<Dim>(Dim * a);
-    });
-  };
+Eigen::VectorXd Equilibrium<Dim>::gather(const CellBox<Dim>& box,
+                                         const Eigen::VectorXd& from) const {
+  Eigen::VectorXd local(Dim * box.node_count());
+  for_each_node(grid_, box, [&](int a, Index node) {
+    local.segment<Dim>(Dim * a) = from.segment<Dim>(Dim * system_.row(node));
+  });
+  return local;
+}
+
+template <int Dim>
+void Equilibrium<Dim>::scatter(const CellBox<Dim>& box, const Eigen::VectorXd& local,
+                               Eigen::VectorXd& to) const {
+  for_each_node(grid_, box, [&](int a, Index node) {
+    to.segment<Dim>(Dim * system_.row(node)) += local.segment<Dim>(Dim * a);
+  });
+}
+
+template <int Dim>
+void Equilibrium<Dim>::add_walls(const Eigen::VectorXd& held_back, Eigen::VectorXd& internal,
+                                 Eigen::VectorXd& cancelled, double& wall_square) const {
   for (const WallTerm<Dim>& wall : loads_.walls) {
-    const Eigen::VectorXd local = gather(wall.box);
+    const Eigen::VectorXd local = gather(wall.box, held_back);
     const Eigen::VectorXd held = wall.matrix * local;
-    rounding_square += (wall.matrix.cwiseAbs() * local.cwiseAbs()).squaredNorm();
     wall_square += held.squaredNorm() + wall.force.squaredNorm();
-    scatter(wall.box, held - wall.force);
+    scatter(wall.box, held - wall.force, internal);
+    scatter(wall.box, wall.matrix.cwiseAbs() * local.cwiseAbs() + wall.force.cwiseAbs(), cancelled);
   }
-  if (loads_.ghost > 0.0) {
-    for (int axis = 0; axis < Dim; ++axis) {
-      for (const CellBox<Dim>& pair : loads_.ghost_pairs[axis]) {
-        const Eigen::VectorXd local = gather(pair);
-        const Eigen::Map<const Eigen::Matrix<double, Dim, Eigen::Dynamic>> values(
-            local.data(), Dim, pair.node_count());
-        const Eigen::Matrix<double, Dim, Eigen::Dynamic> resisted =
-            ghost_stiffness(pair, axis) * values * ghost_matrix_[axis];
-        scatter(pair, Eigen::Map<const Eigen::VectorXd>(resisted.data(), resisted.size()));
-      }
+}
+
+template <int Dim>
+void Equilibrium<Dim>::add_ghosts(const Eigen::VectorXd& held_back, Eigen::VectorXd& internal,
+                                  Eigen::VectorXd& cancelled) const {
+  if (loads_.ghost <= 0.0) {
+    return;
+  }
+  using Columns = Eigen::Matrix<double, Dim, Eigen::Dynamic>;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const Eigen::MatrixXd size = ghost_matrix_[axis].cwiseAbs();
+    for (const CellBox<Dim>& pair : loads_.ghost_pairs[axis]) {
+      const Eigen::VectorXd local = gather(pair, held_back);
+      const Eigen::Map<const Columns> values(local.data(), Dim, pair.node_count());
+      const double stiffness = ghost_stiffness(pair, axis);
+      const Columns resisted = stiffness * values * ghost_matrix_[axis];
+      const Columns parts = stiffness * values.cwiseAbs() * size;
+      scatter(pair, Eigen::Map<const Eigen::VectorXd>(resisted.data(), resisted.size()), internal);
+      scatter(pair, Eigen::Map<const Eigen::VectorXd>(parts.data(), parts.size()), cancelled);
     }
   }
-  Imbalance imbalance{external_ - internal, std::sqrt(std::max(reference, wall_square)),
-                      std::numeric_limits<double>::epsilon() * std::sqrt(rounding_square)};
+}
+
+template <int Dim>
+Imbalance Equilibrium<Dim>::residual(const Eigen::VectorXd& u) const {
+  Eigen::VectorXd internal = Eigen::VectorXd::Zero(system_.unknowns());
+  Eigen::VectorXd cancelled = internal;  // sizes of the terms whose sum is the imbalance
+  add_internal_force(u, internal, cancelled);
+  const double reference = std::max(external_.squaredNorm(), internal.squaredNorm());
+  const Eigen::VectorXd held_back = total(u);
+  double wall_square = 0.0;
+  add_walls(held_back, internal, cancelled, wall_square);
+  add_ghosts(held_back, internal, cancelled);
+  Imbalance imbalance{external_ - internal, std::sqrt(std::max(reference, wall_square)), 0.0};
   if (loads_.carried.size() > 0) {
     imbalance.force -= loads_.carried;
   }
   for (Index k = 0; k < imbalance.force.size(); ++k) {
     if (system_.is_dropped(k)) {
-      imbalance.force[k] = 0.0;
+      imbalance.force[k] = cancelled[k] = 0.0;
     }
   }
+  imbalance.rounding = std::numeric_limits<double>::epsilon() * cancelled.norm();
   return imbalance;
+}
+
+/// The weights of a point of a surface sum to one: only unknowns that were dropped lose force.
+template <int Dim>
+double Equilibrium<Dim>::lost_surface_force() const {
+  double size = 0.0;
+  Vec<Dim> lost = Vec<Dim>::Zero();
+  for (const SurfaceForce<Dim>& load : loads_.surface_forces) {
+    size += load.force.norm();
+    lost -= load.force;
+    spread(load, [&](Index row, const Vec<Dim>& force) {
+      for (int c = 0; c < Dim; ++c) {
+        lost[c] += system_.is_dropped(row + c) ? 0.0 : force[c];
+      }
+    });
+  }
+  return size > 0.0 ? lost.norm() / size : 0.0;
 }
 
 template <int Dim>

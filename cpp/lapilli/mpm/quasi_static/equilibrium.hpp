@@ -9,13 +9,20 @@
 
 namespace lapilli {
 
+/// A force on the surface of the material, spread by the shape functions of a cell.
+template <int Dim>
+struct SurfaceForce {
+  typename Grid<Dim>::Cell cell;
+  Vec<Dim> position;  // m
+  Vec<Dim> force;     // N (per metre of thickness in 2D)
+};
+
 /// The loads of one load step, at its end.
 template <int Dim>
 struct Loads {
-  std::vector<Vec<Dim>> body_force;              // N/m^3, one a point; empty: none
-  std::vector<WallTerm<Dim>> walls;              //
-  std::vector<Facet<Dim>> traction_faces;        //
-  std::vector<std::vector<Vec<Dim>>> tractions;  // Pa, one a point of each face
+  std::vector<Vec<Dim>> body_force;  // N/m^3, one a point; empty: none
+  std::vector<WallTerm<Dim>> walls;
+  std::vector<SurfaceForce<Dim>> surface_forces;
   std::array<std::vector<CellBox<Dim>>, Dim> ghost_pairs;
   double ghost = 0.0;
   /// Displacement of the unknowns since the grid was reset, m; empty: none. Walls and ghosts resist
@@ -32,12 +39,13 @@ struct Loads {
 template <int Dim>
 class Equilibrium {
  public:
-  /// All arguments must outlive the object; `stress` is rows x 6. `system` and `solver` are kept
-  /// between load steps so that a pattern that stands is not analysed again.
-  Equilibrium(const Grid<Dim>& grid, const Points& points, const PointWeights<Dim>& weights,
-              const CellState<Dim>& state, std::span<const LinearElastic> materials,
-              std::span<const double> stress, const Loads<Dim>& loads, NodeSystem<Dim>& system,
-              DirectSolver& solver);
+  /// All arguments must outlive the object; `volume` (m^Dim) and `body` one a point, `stress` rows
+  /// x 6. `system` and `solver` are kept between load steps so that a pattern that stands is not
+  /// analysed again.
+  Equilibrium(const Grid<Dim>& grid, std::span<const double> volume, std::span<const Index> body,
+              const PointWeights<Dim>& weights, const CellState<Dim>& state,
+              std::span<const LinearElastic> materials, std::span<const double> stress,
+              const Loads<Dim>& loads, NodeSystem<Dim>& system, DirectSolver& solver);
 
   /// Assemble and factorise the tangent. The caller judges the pivots.
   PivotReport factorise();
@@ -45,7 +53,12 @@ class Equilibrium {
   Imbalance residual(const Eigen::VectorXd& u) const;
   Eigen::VectorXd correction(const Eigen::VectorXd& force) const { return solver_.solve(force); }
 
-  /// Strain increment of a point, engineering shear strains not used: tensor components.
+  /// What of the surface forces reaches unknowns that carry stiffness, minus what was asked, over
+  /// the sum of their sizes. Known once the tangent is factorised.
+  double lost_surface_force() const;
+
+  /// Strain increment of a point (tensor components), its dilatation that of its cell where that
+  /// is averaged.
   SymmetricTensor strain(Index point, const Eigen::VectorXd& u) const;
   /// Displacement increment of a point.
   Vec<Dim> displacement(Index point, const Eigen::VectorXd& u) const;
@@ -61,10 +74,22 @@ class Equilibrium {
   void assemble_surfaces();
   void external_force();
   double ghost_stiffness(const CellBox<Dim>& pair, int axis) const;
-  void add_internal_force(const Eigen::VectorXd& u, Eigen::VectorXd& force) const;
+  // Each adds to `cancelled` the sizes of the terms that it sums into the force.
+  void add_internal_force(const Eigen::VectorXd& u, Eigen::VectorXd& force,
+                          Eigen::VectorXd& cancelled) const;
+  void add_walls(const Eigen::VectorXd& held_back, Eigen::VectorXd& internal,
+                 Eigen::VectorXd& cancelled, double& wall_square) const;
+  void add_ghosts(const Eigen::VectorXd& held_back, Eigen::VectorXd& internal,
+                  Eigen::VectorXd& cancelled) const;
+  /// Call add(first unknown of a node, its share) for the nodes a surface force is spread to.
+  template <class Add>
+  void spread(const SurfaceForce<Dim>& load, const Add& add) const;
+  Eigen::VectorXd gather(const CellBox<Dim>& box, const Eigen::VectorXd& from) const;
+  void scatter(const CellBox<Dim>& box, const Eigen::VectorXd& local, Eigen::VectorXd& to) const;
 
   const Grid<Dim>& grid_;
-  const Points& points_;
+  std::span<const double> volume_;
+  std::span<const Index> body_;
   const PointWeights<Dim>& weights_;
   const CellState<Dim>& state_;
   std::span<const LinearElastic> materials_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lapilli/mpm/quasi_static/equilibrium.hpp"
 
@@ -27,9 +28,14 @@ StrainRows<Dim> strain_rows(const Vec<Dim>& g) {
   return rows;
 }
 
+/// Of the whole stress, or of its deviator alone.
 template <int Dim>
-Tangent<Dim> tangent_of(const LinearElastic& material) {
-  const Stiffness full = stiffness_of(material);
+Tangent<Dim> tangent_of(const LinearElastic& material, bool deviator) {
+  Stiffness full = stiffness_of(material);
+  if (deviator) {
+    full.topLeftCorner<3, 3>().setConstant(-2.0 / 3.0 * material.shear_modulus());
+    full.diagonal().head<3>().array() += 2.0 * material.shear_modulus();
+  }
   if constexpr (Dim == 2) {
     const int kept[3] = {0, 1, 3};
     Tangent<2> plane;
@@ -51,21 +57,25 @@ PivotReport Equilibrium<Dim>::factorise() {
   system_.clear();
   assemble_points();
   assemble_surfaces();
-  constexpr double least_share = 1e-10;  // of a node inside the material
-  double modulus = 0.0;
+  constexpr double least_share = 1e-10;  // of a node inside the softest material
+  constexpr double rounding = 1e-15;     // of one inside the stiffest
+  double stiffest = 0.0, softest = std::numeric_limits<double>::infinity();
   for (const LinearElastic& material : materials_) {
-    modulus = std::max(modulus, material.youngs_modulus);
+    stiffest = std::max(stiffest, material.youngs_modulus);
+    softest = std::min(softest, material.youngs_modulus);
   }
-  const double inside = modulus * std::pow(grid_.cell_size(), Dim - 2);
-  system_.drop_unknowns(least_share * inside, inside);
+  const double size = std::pow(grid_.cell_size(), Dim - 2);
+  system_.drop_unknowns(std::max(least_share * softest, rounding * stiffest) * size,
+                        stiffest * size);
   return solver_.factorise(system_.lower());
 }
 
 template <int Dim>
 void Equilibrium<Dim>::assemble_points() {
-  std::vector<Tangent<Dim>> tangents;
+  std::vector<Tangent<Dim>> whole, deviators;
   for (const LinearElastic& material : materials_) {
-    tangents.push_back(tangent_of<Dim>(material));
+    whole.push_back(tangent_of<Dim>(material, false));
+    deviators.push_back(tangent_of<Dim>(material, true));
   }
   weights_.for_each_group([&](const typename PointWeights<Dim>::Group& group) {
     const int nodes = group.box.node_count(), width = nodes * Dim;
@@ -76,12 +86,18 @@ void Equilibrium<Dim>::assemble_points() {
     system_.rows(grid_, group.box, rows.data());
     for (Index k = group.begin; k < group.end; ++k) {
       const Index p = weights_.order()[k];
-      const Tangent<Dim> tangent = points_.volume()[p] * tangents[points_.body()[p]];
       const Vec<Dim>* gradient = weights_.gradient(p);
+      const Vec<Dim>* mean = state_.mean.of_point(p);
+      const Tangent<Dim> tangent =
+          volume_[p] * (mean != nullptr ? deviators[body_[p]] : whole[body_[p]]);
+      const double bulk = mean != nullptr ? volume_[p] * materials_[body_[p]].bulk_modulus() : 0.0;
       for (int b = 0; b < nodes; ++b) {
         const StrainRows<Dim> stress_b = tangent * strain_rows<Dim>(gradient[b]);
         for (int a = 0; a <= b; ++a) {
-          const Mat<Dim> block = strain_rows<Dim>(gradient[a]).transpose() * stress_b;
+          Mat<Dim> block = strain_rows<Dim>(gradient[a]).transpose() * stress_b;
+          if (mean != nullptr) {
+            block += bulk * mean[a] * mean[b].transpose();
+          }
           for (int r = 0; r < Dim; ++r) {
             for (int c = 0; c < Dim; ++c) {
               matrix[(a * Dim + r) * width + b * Dim + c] += block(r, c);

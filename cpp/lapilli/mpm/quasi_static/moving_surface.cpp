@@ -176,8 +176,14 @@ std::optional<double> MovingSurface<Dim>::gap(const Vec3& place, double time) co
 template <int Dim>
 std::vector<Facet<Dim>> MovingSurface<Dim>::cut(
     const Grid<Dim>& grid, std::span<const char> cells, int number, double time,
-    std::span<const MovingSurface* const> solids) const {
+    std::span<const MovingSurface* const> solids,
+    const std::function<double(const Vec3&)>& counts) const {
   std::vector<std::function<double(const Vec3&)>> trims;
+  if (counts) {
+    // Flat pieces of a curved surface lie off it.
+    trims.push_back(
+        [this, &counts](const Vec3& at) { return counts(is_solid() ? project(*shape_, at) : at); });
+  }
   if (within_) {
     const Vec<Dim> by = offset(time);
     trims.push_back([this, by](const Vec3& place) {
@@ -209,6 +215,26 @@ std::vector<Facet<Dim>> MovingSurface<Dim>::cut(
         return Vec3(side_ * lapilli::gradient(*shape_, shifted<Dim>(place, by)));
       }};
   return cut_level_set<Dim>(grid, cells, level_set, number, trims);
+}
+
+template <int Dim>
+void MovingSurface<Dim>::require_whole(const std::vector<Facet<Dim>>& facets) const {
+  if (is_solid() || within_) {
+    return;
+  }
+  double length = 0.0, found = 0.0;
+  for (std::size_t k = 0; k + 1 < line_.size(); ++k) {
+    length += (line_[k + 1] - line_[k]).norm();
+  }
+  for (const Facet<Dim>& facet : facets) {
+    found += facet.area();
+  }
+  if (std::abs(found - length) > 1e-9 * length) {
+    throw RunError(
+        message(what_, ": ", length - found, " of its ", length,
+                " m lie outside of the grid: enlarge the grid, or end the line where the "
+                "body ends"));
+  }
 }
 
 template class MovingSurface<2>;

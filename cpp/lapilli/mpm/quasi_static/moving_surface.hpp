@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,9 +33,14 @@ class MovingSurface {
   /// of or behind it.
   std::optional<double> gap(const Vec3& place, double time) const;
 
-  /// Cut it at the cells marked in `cells`, where it stands at `time`; `solids` end it.
+  /// Cut it at the cells marked in `cells`, where it stands at `time`; `solids` end it, and so does
+  /// the region where `counts` is not positive (m; none: everywhere).
   std::vector<Facet<Dim>> cut(const Grid<Dim>& grid, std::span<const char> cells, int number,
-                              double time, std::span<const MovingSurface* const> solids) const;
+                              double time, std::span<const MovingSurface* const> solids,
+                              const std::function<double(const Vec3&)>& counts = {}) const;
+  /// Throws RunError unless these facets make up the whole of an open line; one with `within`
+  /// passes.
+  void require_whole(const std::vector<Facet<Dim>>& facets) const;
 
  private:
   bool counts(const Vec3& place, double time) const;

@@ -9,6 +9,7 @@ namespace lapilli {
 struct NewtonReport {
   int iterations = 0;
   double residual = 0.0;  // out-of-balance force over the forces in play
+  double floor = 0.0;     // what of it may be rounding
   bool converged = false;
 };
 
@@ -16,7 +17,7 @@ struct NewtonReport {
 struct Imbalance {
   Eigen::VectorXd force;
   double reference = 0.0;
-  double rounding = 0.0;  // what of the force may be rounding: stiff walls cancel large terms
+  double rounding = 0.0;  // what of the force may be rounding: stiff parts cancel large terms
 
   double relative() const { return reference > 0.0 ? force.norm() / reference : force.norm(); }
   double floor() const { return reference > 0.0 ? rounding / reference : 0.0; }
@@ -55,6 +56,7 @@ NewtonReport solve_newton(Eigen::VectorXd& u, const Residual& residual,
     within = std::max(tolerance, imbalance.floor());
   }
   report.converged = report.residual <= within;
+  report.floor = imbalance.floor();
   return report;
 }
 

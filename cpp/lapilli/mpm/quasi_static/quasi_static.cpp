@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/step_refused.hpp"
-#include "lapilli/mpm/quasi_static/supports.hpp"
 
 namespace lapilli {
 namespace {
@@ -17,61 +15,6 @@ namespace {
 constexpr double least_half_width = 0.02, largest_half_width = 0.499;
 
 }  // namespace
-
-template <int Dim>
-QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFunction shape_function,
-                              std::vector<LinearElastic> materials, QuasiStaticSettings settings)
-    : points_(points),
-      grid_(grid),
-      materials_(std::move(materials)),
-      settings_(std::move(settings)),
-      boundary_(settings_),
-      stress_(points, 6),
-      displacement_(points, Dim),
-      guarded_(points, static_cast<int>(std::max<std::size_t>(1, boundary_.walls()))),
-      wall_forces_(boundary_.walls(), Vec<Dim>::Zero()),
-      reference_(points, shape_function == ShapeFunction::gimp) {
-  require(points.dimension() == Dim && points.size() > 0, "quasi_static needs points of dimension ",
-          Dim);
-  require(shape_function != ShapeFunction::bspline,
-          "quasi_static takes grid.shape_function linear or gimp, not bspline");
-  for (const LinearElastic& material : materials_) {
-    check(material);
-  }
-  for (Index p = 0; p < points.size(); ++p) {
-    require(points.body()[p] >= 0 && points.body()[p] < static_cast<Index>(materials_.size()),
-            "body ", points.body()[p], " has no elastic material for quasi_static");
-  }
-  const bool literal = settings_.wall_form == WallForm::literal;
-  const double bandwidth = settings_.bandwidth.value_or(literal ? 1e-6 : 1e-3);
-  require(bandwidth > 0.0 && settings_.gap_bandwidth > 0.0,
-          "quasi_static: bandwidth and gap_bandwidth must be positive, got ", bandwidth, " and ",
-          settings_.gap_bandwidth, " cells");
-  scheme_ = WallScheme::of(settings_.wall_form, bandwidth, settings_.gap_bandwidth);
-  ghost_ = settings_.ghost.value_or(literal ? 0.0 : 0.01);
-  relaxation_ = settings_.relaxation.value_or(literal ? 0.0 : 0.5) * grid_.cell_size();
-  reset_ = settings_.reset.value_or(literal ? 0.0 : 0.1) * grid_.cell_size();
-  require(reset_ >= 0.0, "quasi_static: reset must not be negative, got ", *settings_.reset);
-  require(ghost_ >= 0.0, "quasi_static: ghost must not be negative, got ", ghost_);
-  require(settings_.body_force.size() <= Dim, "quasi_static: body_force has ",
-          settings_.body_force.size(), " values, the scene has ", Dim, " axes");
-
-  if (shape_function == ShapeFunction::gimp) {
-    half_width_ = std::make_unique<PointArray>(points, Dim);
-    const double h = grid_.cell_size();
-    for (Index p = 0; p < points.size(); ++p) {
-      const double width = 0.5 * std::pow(points.volume()[p], 1.0 / Dim);
-      std::fill_n(half_width_->data() + Dim * p, Dim,
-                  std::clamp(width, least_half_width * h, largest_half_width * h));
-    }
-  }
-  boundary_.guard(grid_, points_, 0.0, guarded_.values());
-  try {
-    reset_grid(0.0);
-  } catch (const RunError& error) {
-    throw std::invalid_argument(error.what());
-  }
-}
 
 template <int Dim>
 StepLimit QuasiStatic<Dim>::step_limit() const {
@@ -102,9 +45,29 @@ StepReport QuasiStatic<Dim>::advance(const Step& step) {
 /// One load step; changes nothing unless it converges.
 template <int Dim>
 typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::attempt(double from, double to) {
-  if (is_reset_due()) {
-    reset_grid(from);
+  if (!is_reset_due()) {
+    return try_step(from, to);
   }
+  Archive before;
+  reference_.save(before);
+  try {
+    reset_grid(from);
+    return try_step(from, to);
+  } catch (const RunError&) {
+    undo_reset(before);
+    throw;
+  }
+}
+
+template <int Dim>
+void QuasiStatic<Dim>::undo_reset(const Archive& before) {
+  reference_.scheme = scheme_;
+  reference_.load(before);
+  reference_.locate(grid_, points_, materials_, averaged_, boundary_);
+}
+
+template <int Dim>
+typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(double from, double to) {
   Report report = report_;
   Loads<Dim> loads = collect_loads(to);
   if (!reference_.factorised) {
@@ -116,6 +79,7 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::attempt(double from, double 
   }
   loads.carried = reference_.imbalance;
   const Equilibrium<Dim> equilibrium = equilibrium_under(loads);
+  require_loads_arrive(equilibrium);
   Eigen::VectorXd u = solve(equilibrium, report);
   std::vector<Vec<Dim>> moves = moves_of(equilibrium, u);
   double carried = 0.0;
@@ -134,13 +98,17 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::attempt(double from, double 
   update_points(equilibrium, u, moves);
   boundary_.guard(grid_, points_, to, guarded_.values());
   reference_.moved = loads.since_reset.size() > 0 ? Eigen::VectorXd(loads.since_reset + u) : u;
+  for (LoadedSurface<Dim>& surface : reference_.loaded) {
+    surface.follow(grid_, system_, reference_.moved);
+  }
   return report;
 }
 
 template <int Dim>
 Equilibrium<Dim> QuasiStatic<Dim>::equilibrium_under(const Loads<Dim>& loads) {
-  return Equilibrium<Dim>(grid_, points_, reference_.weights, *reference_.state, materials_,
-                          stress_.values(), loads, system_, solver_);
+  return Equilibrium<Dim>(grid_, std::as_const(reference_.volume).values(), points_.body(),
+                          reference_.weights, *reference_.state, materials_, stress_.values(),
+                          loads, system_, solver_);
 }
 
 /// Newton's method from no displacement at all.
@@ -155,6 +123,12 @@ Eigen::VectorXd QuasiStatic<Dim>::solve(const Equilibrium<Dim>& equilibrium, Rep
     throw LoadStepFailed(message("Newton's method stalled at a relative residual of ",
                                  report.newton.residual, " after ", report.newton.iterations,
                                  " iterations, tolerance ", settings_.tolerance));
+  }
+  constexpr double least_digits = 1e-4;
+  if (report.newton.floor > least_digits) {
+    throw RunError(message("forces cancel to a relative ", report.newton.floor,
+                           ": stiff and soft bodies are too far apart for double precision; bring "
+                           "their youngs_modulus within a factor of 1e8"));
   }
   return u;
 }
@@ -177,7 +151,7 @@ Eigen::VectorXd QuasiStatic<Dim>::imbalance_at(double time) {
 }
 
 /// Factorise the tangent. Mean gaps on cells with next to no material may leave it indefinite; then
-/// the moderate constraint is made stiffer, which only adds to it, until the grid is reset.
+/// both constraints are made stiffer, which only adds to it, until the grid is reset.
 template <int Dim>
 void QuasiStatic<Dim>::factorise(Loads<Dim>& loads, double to, Report& report) {
   constexpr int most_tightenings = 4;
@@ -187,6 +161,7 @@ void QuasiStatic<Dim>::factorise(Loads<Dim>& loads, double to, Report& report) {
                   settings_.wall_form == WallForm::mean_gap;
        ++k) {
     reference_.scheme.pointwise *= tighter;
+    reference_.scheme.stiff *= 2.0 * tighter;
     loads = collect_loads(to);
     report.pivots = equilibrium_under(loads).factorise();
   }
@@ -201,6 +176,17 @@ template <int Dim>
 void QuasiStatic<Dim>::require_positive(const PivotReport& pivots) const {
   if (pivots.not_positive == 0) {
     return;
+  }
+  constexpr double largest_contrast = 1e8;
+  const auto [soft, stiff] = std::minmax_element(
+      materials_.begin(), materials_.end(),
+      [](const auto& a, const auto& b) { return a.youngs_modulus < b.youngs_modulus; });
+  if (stiff->youngs_modulus > largest_contrast * soft->youngs_modulus) {
+    throw RunError(
+        message("the stiffness matrix is not positive definite: bodies of youngs_modulus ",
+                soft->youngs_modulus, " and ", stiff->youngs_modulus,
+                " Pa are too far apart for double precision; bring them within a factor "
+                "of 1e8"));
   }
   const Vec<Dim> place = grid_.node_position(system_.nodes()[pivots.smallest_unknown / Dim]);
   throw RunError(
@@ -223,35 +209,7 @@ void QuasiStatic<Dim>::reset_grid(double time) {
   reference_.start(points_, half_width_.get(), time);
   reference_.scheme = scheme_;
   reference_.wall_forces = wall_forces_;
-  reference_.locate(grid_, points_, materials_, boundary_);
-}
-
-template <int Dim>
-Loads<Dim> QuasiStatic<Dim>::collect_loads(double to) const {
-  Loads<Dim> loads;
-  loads.since_reset = reference_.moved;
-  std::vector<std::vector<Vec<Dim>>> motions;
-  for (const Facet<Dim>& facet : reference_.facets) {
-    motions.push_back(boundary_.wall(facet.surface).increments(facet, reference_.time, to));
-    loads.walls.push_back(wall_term<Dim>(grid_, *reference_.state, facet,
-                                         boundary_.kinds()[facet.surface], motions.back(),
-                                         reference_.scheme));
-  }
-  require_agreeing<Dim>(grid_, reference_.facets, motions, boundary_.kinds(), boundary_.names());
-  require_held<Dim>(grid_, points_, reference_.weights, reference_.facets, boundary_.kinds());
-  loads.ghost = ghost_;
-  if (ghost_ > 0.0) {
-    loads.ghost_pairs = ghost_pairs<Dim>(grid_, *reference_.state, reference_.facets);
-  }
-  if (!settings_.body_force.empty()) {
-    std::vector<Vec3> places(points_.size(), Vec3::Zero());
-    for (Index p = 0; p < points_.size(); ++p) {
-      places[p].template head<Dim>() = points_.position<Dim>(p);
-    }
-    loads.body_force = values_at<Dim>(settings_.body_force, places, to);
-  }
-  boundary_.add_tractions(grid_, *reference_.state, to, loads);
-  return loads;
+  reference_.locate(grid_, points_, materials_, averaged_, boundary_);
 }
 
 template <int Dim>
@@ -264,6 +222,9 @@ void QuasiStatic<Dim>::update_points(const Equilibrium<Dim>& equilibrium, const 
     for (int k = 0; k < 6; ++k) {
       stress_[6 * p + k] += stress[k];
     }
+    if (update_volumes_) {
+      points_.volume()[p] *= std::exp(strain.trace());
+    }
     for (int axis = 0; axis < Dim; ++axis) {
       points_.position()[Dim * p + axis] += moves[p][axis];
       displacement_[Dim * p + axis] += moves[p][axis];
@@ -275,21 +236,6 @@ void QuasiStatic<Dim>::update_points(const Equilibrium<Dim>& equilibrium, const 
     }
   });
   points_.moved();
-}
-
-std::unique_ptr<Physics> make_quasi_static(Points& points, const Vec3& lower, const Vec3& upper,
-                                           double cell, ShapeFunction shape_function,
-                                           std::vector<LinearElastic> materials,
-                                           QuasiStaticSettings settings) {
-  if (points.dimension() == 3) {
-    return std::make_unique<QuasiStatic<3>>(points, Grid<3>(lower, upper, cell), shape_function,
-                                            std::move(materials), std::move(settings));
-  }
-  require(points.dimension() == 2, "quasi_static needs two or three dimensions, got ",
-          points.dimension());
-  return std::make_unique<QuasiStatic<2>>(points, Grid<2>(lower.head<2>(), upper.head<2>(), cell),
-                                          shape_function, std::move(materials),
-                                          std::move(settings));
 }
 
 template class QuasiStatic<2>;

@@ -6,6 +6,8 @@
 
 #include "lapilli/core/physics.hpp"
 #include "lapilli/core/points.hpp"
+#include "lapilli/core/warnings.hpp"
+#include "lapilli/core/whole_steps.hpp"
 #include "lapilli/mpm/quasi_static/equilibrium.hpp"
 #include "lapilli/mpm/quasi_static/reference.hpp"
 #include "lapilli/mpm/quasi_static/settings.hpp"
@@ -18,12 +20,15 @@ namespace lapilli {
 /// step; a step that fails is halved, and the points keep the last state that converged. Not
 /// modelled: inertia, large strains (volumes stay), friction, walls that let go.
 template <int Dim>
-class QuasiStatic final : public Physics {
+class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
  public:
-  /// `materials` by body. `points` must outlive the physics, which moves them. Throws
-  /// std::invalid_argument for settings that cannot be used and for walls that cut no material.
+  /// `materials` by body; `shapes` of all bodies at time 0, empty when they are not known:
+  /// tractions on the surface of a shape end where it leaves them. `points` must outlive the
+  /// physics, which moves them. Throws std::invalid_argument for settings that cannot be used and
+  /// for walls and tractions that meet no material.
   QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFunction shape_function,
-              std::vector<LinearElastic> materials, QuasiStaticSettings settings);
+              std::vector<LinearElastic> materials, QuasiStaticSettings settings,
+              std::vector<Shape> shapes = {});
 
   std::string name() const override { return "quasi_static"; }
   StepLimit step_limit() const override;
@@ -34,6 +39,9 @@ class QuasiStatic final : public Physics {
   /// Of the last load step: residual, iterations, pivots, condition estimate, halvings,
   /// penetration, force of each wall on the material.
   std::vector<std::pair<std::string, double>> diagnostics() const override;
+
+  /// Strains beyond what the law for small strains carries.
+  std::vector<std::string> warnings() const override;
 
   /// Force of each wall on the material in the last load step, N (per metre thickness in 2D).
   std::span<const Vec<Dim>> wall_forces() const { return wall_forces_; }
@@ -50,17 +58,25 @@ class QuasiStatic final : public Physics {
     int halvings = 0;
   };
 
+  void choose_schemes();
+  void start_half_widths();
   bool is_reset_due() const;
   void reset_grid(double time);
   Loads<Dim> collect_loads(double to) const;
+  void add_hydrostatic(double to, Loads<Dim>& loads) const;
   Equilibrium<Dim> equilibrium_under(const Loads<Dim>& loads);
   Report attempt(double from, double to);
+  Report try_step(double from, double to);
+  void undo_reset(const Archive& before);
+  /// Largest principal strain of any point since the start, of either sign.
+  double largest_strain() const;
   Eigen::VectorXd solve(const Equilibrium<Dim>& equilibrium, Report& report) const;
   std::vector<Vec<Dim>> moves_of(const Equilibrium<Dim>& equilibrium,
                                  const Eigen::VectorXd& u) const;
   Eigen::VectorXd imbalance_at(double time);
   void factorise(Loads<Dim>& loads, double to, Report& report);
   void require_positive(const PivotReport& pivots) const;
+  void require_loads_arrive(const Equilibrium<Dim>& equilibrium) const;
   void update_points(const Equilibrium<Dim>& equilibrium, const Eigen::VectorXd& u,
                      const std::vector<Vec<Dim>>& moves);
 
@@ -71,8 +87,11 @@ class QuasiStatic final : public Physics {
   Boundary<Dim> boundary_;
   WallScheme scheme_;
   double ghost_ = 0.0;
+  bool update_volumes_ = true;
+  std::vector<char> averaged_;  // by body: whether its dilatation is that of the cell
 
   PointArray stress_;                       // Pa, rows x 6
+  PointArray start_volume_;                 // m^Dim, at the start: carries the body force
   PointArray displacement_;                 // m, rows x Dim
   PointArray guarded_;                      // rows x walls: 1 where a wall must keep the point
   std::unique_ptr<PointArray> half_width_;  // m, rows x Dim, of GIMP
@@ -91,6 +110,7 @@ class QuasiStatic final : public Physics {
 std::unique_ptr<Physics> make_quasi_static(Points& points, const Vec3& lower, const Vec3& upper,
                                            double cell, ShapeFunction shape_function,
                                            std::vector<LinearElastic> materials,
-                                           QuasiStaticSettings settings);
+                                           QuasiStaticSettings settings,
+                                           std::vector<Shape> shapes = {});
 
 }  // namespace lapilli

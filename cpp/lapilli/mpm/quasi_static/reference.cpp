@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lapilli/core/require.hpp"
+
 namespace lapilli {
 namespace {
 
@@ -20,11 +22,16 @@ Eigen::VectorXd vector_of(const std::vector<double>& numbers) {
 template <int Dim>
 Reference<Dim>::Reference(Points& points, bool gimp)
     : position(points, Dim),
+      volume(points, 1),
       half_width(gimp ? std::make_unique<PointArray>(points, Dim) : nullptr) {}
 
 template <int Dim>
 void Reference<Dim>::start(const Points& points, const PointArray* now, double at) {
   std::copy_n(points.position().data(), points.position().size(), position.data());
+  std::copy_n(points.volume().data(), points.volume().size(), volume.data());
+  for (LoadedSurface<Dim>& surface : loaded) {
+    surface.reset();
+  }
   if (half_width) {
     std::copy_n(now->data(), now->values().size(), half_width->data());
   }
@@ -36,12 +43,22 @@ void Reference<Dim>::start(const Points& points, const PointArray* now, double a
 template <int Dim>
 void Reference<Dim>::locate(const Grid<Dim>& grid, const Points& points,
                             std::span<const LinearElastic> materials,
-                            const Boundary<Dim>& boundary) {
+                            std::span<const char> averaged, const Boundary<Dim>& boundary) {
   located = factorised = false;
-  weights.build(grid, std::as_const(position).values(),
-                half_width ? std::as_const(*half_width).values() : std::span<const double>());
-  state = std::make_unique<CellState<Dim>>(grid, points, weights, materials);
+  const std::span<const double> places = std::as_const(position).values();
+  const std::span<const double> volumes = std::as_const(volume).values();
+  const std::span<const double> widths =
+      half_width ? std::as_const(*half_width).values() : std::span<const double>();
+  weights.build(grid, places, widths);
+  state = std::make_unique<CellState<Dim>>(grid, volumes, points.body(), weights, materials);
+  state->mean.build(grid, places, widths, volumes, points.body(), averaged, weights);
   facets = boundary.cut_walls(grid, *state, time);
+  if (loaded.empty()) {
+    loaded = boundary.cut_tractions(grid, *state);
+  }
+  for (LoadedSurface<Dim>& surface : loaded) {
+    surface.find_cells(grid, *state);
+  }
   located = true;
 }
 
@@ -62,10 +79,15 @@ template <int Dim>
 void Reference<Dim>::save(Archive& archive) const {
   archive.write("quasi_static/reference/time", time);
   archive.write("quasi_static/reference/pointwise", scheme.pointwise);
+  archive.write("quasi_static/reference/stiff", scheme.stiff);
   archive.write("quasi_static/reference/moved", numbers(moved));
   archive.write("quasi_static/reference/imbalance", numbers(imbalance));
   archive.write("quasi_static/reference/imbalance_due", imbalance_due ? 1.0 : 0.0);
   archive.write("quasi_static/reference/position", position.values());
+  archive.write("quasi_static/reference/volume", volume.values());
+  for (std::size_t t = 0; t < loaded.size(); ++t) {
+    loaded[t].save(archive, message("quasi_static/reference/traction ", t));
+  }
   std::vector<double> forces;
   for (const Vec<Dim>& force : wall_forces) {
     forces.insert(forces.end(), force.data(), force.data() + Dim);
@@ -80,10 +102,15 @@ template <int Dim>
 void Reference<Dim>::load(const Archive& archive) {
   time = archive.read_number("quasi_static/reference/time");
   scheme.pointwise = archive.read_number("quasi_static/reference/pointwise");
+  scheme.stiff = archive.read_number("quasi_static/reference/stiff");
   moved = vector_of(archive.read_numbers("quasi_static/reference/moved"));
   imbalance = vector_of(archive.read_numbers("quasi_static/reference/imbalance"));
   imbalance_due = archive.read_number("quasi_static/reference/imbalance_due") > 0.0;
   archive.read("quasi_static/reference/position", position.values());
+  archive.read("quasi_static/reference/volume", volume.values());
+  for (std::size_t t = 0; t < loaded.size(); ++t) {
+    loaded[t].load(archive, message("quasi_static/reference/traction ", t));
+  }
   const std::vector<double> forces = archive.read_numbers("quasi_static/reference/wall_forces");
   wall_forces.resize(forces.size() / Dim);
   for (std::size_t w = 0; w < wall_forces.size(); ++w) {

@@ -21,8 +21,9 @@ struct Reference {
   /// Start anew where the points are now. `half_width` is that of now, null without GIMP.
   void start(const Points& points, const PointArray* half_width, double at);
   /// Weights, cells and facets of the positions it holds. Throws RunError as `Boundary::cut_walls`.
+  /// `averaged`: bodies whose dilatation is averaged over cells.
   void locate(const Grid<Dim>& grid, const Points& points, std::span<const LinearElastic> materials,
-              const Boundary<Dim>& boundary);
+              std::span<const char> averaged, const Boundary<Dim>& boundary);
   /// Farthest that a point is along an axis from where it was, once it moves by `moves` (may be
   /// empty), m.
   double farthest(const Points& points, const std::vector<Vec<Dim>>& moves = {}) const;
@@ -33,14 +34,16 @@ struct Reference {
 
   double time = 0.0;
   PointArray position;                     // m, rows x Dim
+  PointArray volume;                       // m^Dim
   std::unique_ptr<PointArray> half_width;  // m, rows x Dim, of GIMP
   PointWeights<Dim> weights;
   std::unique_ptr<CellState<Dim>> state;
-  std::vector<Facet<Dim>> facets;     // of the walls
-  WallScheme scheme;                  // tightened when the matrix was not positive definite
-  Eigen::VectorXd moved;              // m, of the unknowns since then; empty: nothing
-  Eigen::VectorXd imbalance;          // N, of the unknowns then; empty: none
-  std::vector<Vec<Dim>> wall_forces;  // N, then
+  std::vector<Facet<Dim>> facets;          // of the walls
+  std::vector<LoadedSurface<Dim>> loaded;  // by traction
+  WallScheme scheme;                       // tightened when the matrix was not positive definite
+  Eigen::VectorXd moved;                   // m, of the unknowns since then; empty: nothing
+  Eigen::VectorXd imbalance;               // N, of the unknowns then; empty: none
+  std::vector<Vec<Dim>> wall_forces;       // N, then
   bool located = false, factorised = false, imbalance_due = false;
 };
 

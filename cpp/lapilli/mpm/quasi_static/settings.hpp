@@ -82,11 +82,14 @@ struct WallSettings {
   }
 };
 
-/// A surface on which a traction acts. It does not follow the material.
+/// A surface on which a traction or a pressure acts. The material carries it along: it moves,
+/// stretches and turns with the points. The surface of a shape counts where it lies on the surface
+/// of a body; every part of a line does.
 struct TractionSettings {
   std::string name;
   SurfaceSettings surface;
-  std::vector<Value> traction;  // Pa, one value an axis
+  std::vector<Value> traction;  // Pa, one value an axis; empty: none
+  Value pressure = 0.0;         // Pa, along the normal into the material
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -94,10 +97,11 @@ struct TractionSettings {
     SurfaceSettings::describe(self.surface, visit);
     visit(Key("traction")
               .unit("Pa")
-              .required()
-              .length(1, 3)
-              .text("force per area on the material, one value an axis"),
+              .length(0, 3)
+              .text("force per area on the material, one value an axis; empty: none"),
           self.traction);
+    visit(Key("pressure").unit("Pa").text("force per area along the normal into the material"),
+          self.pressure);
   }
 };
 
@@ -112,11 +116,13 @@ struct QuasiStaticSettings {
   std::optional<double> reset;       // cells a point moves before the grid is reset; 0.1, literal 0
   std::optional<double> relaxation;  // cells of motion that take up what a reset leaves; 0.5,
                                      // literal 0
-  double largest_penetration = 0.5;  // cells; a point further behind a wall fails the load step
-  std::vector<Value> body_force;     // N/m^3, one value an axis
-  double tolerance = 1e-10;          // of the out-of-balance force, relative
-  int largest_iterations = 12;       // of Newton's method in one load step
-  int largest_halvings = 6;          // of a load step that fails
+  std::optional<bool> update_volumes;  // volumes follow the strain; literal: they stay
+  std::optional<bool> b_bar;           // the dilatation of a cell is the mean over its points
+  double largest_penetration = 0.5;    // cells; a point further behind a wall fails the load step
+  std::vector<Value> body_force;       // N/m^3, one value an axis
+  double tolerance = 1e-10;            // of the out-of-balance force, relative
+  int largest_iterations = 12;         // of Newton's method in one load step
+  int largest_halvings = 6;            // of a load step that fails
   std::vector<WallSettings> walls;
   std::vector<TractionSettings> tractions;
 
@@ -150,6 +156,15 @@ struct QuasiStaticSettings {
             .text("forces that a reset of the grid leaves out of balance are taken up while points "
                   "move this far; absent: 0.5, literal 0 (at once)"),
         self.relaxation);
+    visit(Key("update_volumes")
+              .absent("auto")
+              .text("volumes of points follow their strain at each reset of the grid; absent: "
+                    "yes, literal no"),
+          self.update_volumes);
+    visit(Key("b_bar").absent("auto").text(
+              "points take the mean dilatation of their cell, so that it does not lock; absent: "
+              "those of a Poisson ratio above 0.4"),
+          self.b_bar);
     visit(Key("largest_penetration")
               .unit("cells")
               .positive()

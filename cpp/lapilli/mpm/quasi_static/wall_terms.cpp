@@ -1,6 +1,7 @@
 #include "lapilli/mpm/quasi_static/wall_terms.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace lapilli {
 
@@ -54,14 +55,16 @@ struct Constraint {
   Mat<Dim> stiffness;
   std::vector<std::pair<Vec<Dim>, double>> directions;  // with the modulus of each
 
-  Constraint(HeldMotion kind, const Vec<Dim>& normal, double constrained, double shear) {
+  /// `constrained` modulus across the wall, `across_point` the same where single points are held.
+  Constraint(HeldMotion kind, const Vec<Dim>& normal, double constrained, double across_point,
+             double shear) {
     const Mat<Dim> across = normal * normal.transpose();
     const Mat<Dim> along = Mat<Dim>::Identity() - across;
     projector.setZero();
     stiffness.setZero();
     if (kind != HeldMotion::tangent) {
       projector += across;
-      stiffness += constrained * across;
+      stiffness += across_point * across;
       directions.push_back({normal, constrained});
     }
     if (kind != HeldMotion::roller) {
@@ -91,6 +94,11 @@ WallTerm<Dim> wall_term(const Grid<Dim>& grid, const CellState<Dim>& state, cons
   using Rows = Eigen::Matrix<double, Dim, width>;
   const Index cell = grid.cell_index(facet.cell);
   const double lame = state.lame[cell], shear = state.shear[cell];
+  // Nearly incompressible material would lock if every point of the wall were held as stiffly as
+  // its volume is: where mean gaps carry that part, points do so as at a Poisson ratio of 0.4.
+  const double constrained = lame + 2.0 * shear;
+  const double across_point = scheme.stiff > 0.0 ? std::min(constrained, 6.0 * shear) : constrained;
+  const Vec<Dim>* mean_gradient = state.mean.of_cell(cell);
   const double inverse_cell = grid.inverse_cell_size();
   const double consistency = state.occupied[cell] ? scheme.consistency : 0.0;
 
@@ -114,7 +122,7 @@ WallTerm<Dim> wall_term(const Grid<Dim>& grid, const CellState<Dim>& state, cons
   for (std::size_t q = 0; q < facet.points.size(); ++q) {
     const SurfacePoint<Dim>& point = facet.points[q];
     const Vec<Dim>& n = point.normal;
-    const Constraint<Dim> hold(kind, n, lame + 2.0 * shear, shear);
+    const Constraint<Dim> hold(kind, n, constrained, across_point, shear);
     double value[nodes];
     Vec<Dim> gradient[nodes];
     cell_shape<Dim>(grid, facet.cell, point.position, value, gradient);
@@ -122,8 +130,10 @@ WallTerm<Dim> wall_term(const Grid<Dim>& grid, const CellState<Dim>& state, cons
     for (int a = 0; a < nodes; ++a) {
       // sigma(N_a e_j) n, row i: lambda n_i g_j + mu (delta_ij g.n + g_i n_j)
       const Vec<Dim>& g = gradient[a];
-      const Mat<Dim> stress_on_wall = lame * n * g.transpose() + shear * g * n.transpose() +
-                                      shear * g.dot(n) * Mat<Dim>::Identity();
+      const Vec<Dim> dilatation = mean_gradient ? mean_gradient[a] : g;
+      const Mat<Dim> stress_on_wall =
+          n * (lame * dilatation + 2.0 / 3.0 * shear * (dilatation - g)).transpose() +
+          shear * g * n.transpose() + shear * g.dot(n) * Mat<Dim>::Identity();
       traction.template middleCols<Dim>(a * Dim) = hold.projector * stress_on_wall;
       shape.template middleCols<Dim>(a * Dim) = value[a] * Mat<Dim>::Identity();
     }
@@ -158,6 +168,18 @@ WallTerm<Dim> wall_term(const Grid<Dim>& grid, const CellState<Dim>& state, cons
     term.given += stiff_force.template segment<Dim>(a * Dim);
   }
   return term;
+}
+
+template <int Dim>
+void WallTerm<Dim>::push(const Grid<Dim>& grid, const SurfacePoint<Dim>& point,
+                         const Vec<Dim>& by) {
+  double value[nodes];
+  Vec<Dim> gradient[nodes];
+  cell_shape<Dim>(grid, box.first, point.position, value, gradient);
+  for (int a = 0; a < nodes; ++a) {
+    force.template segment<Dim>(a * Dim) += value[a] * by;
+  }
+  given += by;
 }
 
 template <int Dim>
@@ -200,6 +222,8 @@ template WallTerm<2> wall_term(const Grid<2>&, const CellState<2>&, const Facet<
                                std::span<const Vec<2>>, const WallScheme&);
 template WallTerm<3> wall_term(const Grid<3>&, const CellState<3>&, const Facet<3>&, HeldMotion,
                                std::span<const Vec<3>>, const WallScheme&);
+template struct WallTerm<2>;
+template struct WallTerm<3>;
 template Eigen::MatrixXd ghost_matrix<2>(int, double);
 template Eigen::MatrixXd ghost_matrix<3>(int, double);
 

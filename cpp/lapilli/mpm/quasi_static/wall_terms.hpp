@@ -32,6 +32,9 @@ struct WallTerm {
   LocalVector force;
   Eigen::Matrix<double, Dim, nodes * Dim> reaction;
   Vec<Dim> given;
+
+  /// Add a known force of the wall on the material at a point of its facet, N.
+  void push(const Grid<Dim>& grid, const SurfacePoint<Dim>& point, const Vec<Dim>& by);
 };
 
 /// The terms of one facet of a wall of `kind` (Cortis et al. Eqs. 22 to 28 without frames; see

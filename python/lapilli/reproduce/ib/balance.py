@@ -44,7 +44,7 @@ class Balance:
     def wall_force(self, wall: str) -> Array:
         """Force of a wall on the material, N (per metre in the plane)."""
         axes = "xyz"[: self.position.shape[1]]
-        return np.array([self.report[f"force of wall '{wall}' along {axis}"] for axis in axes])
+        return np.array([self.report[f"force_of_wall_{wall}_along_{axis}"] for axis in axes])
 
 
 def balances(scene: Scene) -> Iterator[Balance]:

@@ -140,9 +140,9 @@ def plan_rows(rayleigh: float, plan: Plan) -> list[Row]:
         return beside(quantity, value, reference, near(value, reference, plan.position))
 
     wall = 0.5 * (seen.hot + seen.cold)
-    variation = max(-numbers["flow/least density variation"],
-                    numbers["flow/greatest density variation"])  # fmt: skip
-    spacing = numbers["flow/smallest spacing"]
+    variation = max(-numbers["flow/least_density_variation"],
+                    numbers["flow/greatest_density_variation"])  # fmt: skip
+    spacing = numbers["flow/smallest_spacing"]
     return [
         share("Nu of the volume", seen.nusselt, right.nusselt, plan.nusselt),
         share("largest u", seen.horizontal.max(), right.horizontal_peak, plan.horizontal),
@@ -152,8 +152,8 @@ def plan_rows(rayleigh: float, plan: Plan) -> list[Row]:
         share("Nu of the hot wall", seen.hot, seen.cold, 0.01),
         share("Nu of the walls", wall, seen.nusselt, 0.02),
         share("largest local Nu", seen.local.max(), LARGEST_LOCAL[rayleigh], plan.local),
-        row(setting, "velocity noise", numbers["flow/velocity noise"],
-            within(numbers["flow/velocity noise"], plan.noise)),
+        row(setting, "velocity noise", numbers["flow/velocity_noise"],
+            within(numbers["flow/velocity_noise"], plan.noise)),
         row(setting, "density variation", variation, within(variation, plan.density)),
         row(setting, "smallest spacing", spacing, at_least(spacing, 0.7)),
     ]  # fmt: skip

@@ -55,8 +55,8 @@ def record(spacing: float, end: float, looks: int = 120) -> Record:
         state = fluid_state(simulation)
         rows.append(sample(state.position, state.temperature, line, 2.5 * spacing))
     numbers = simulation.diagnostics()
-    variation = max(-numbers["flow/least density variation"],
-                    numbers["flow/greatest density variation"])  # fmt: skip
+    variation = max(-numbers["flow/least_density_variation"],
+                    numbers["flow/greatest_density_variation"])  # fmt: skip
     return Record(times, place, np.array(rows), variation, state)
 
 

@@ -93,9 +93,7 @@ def run_of(scene: Scene) -> Run:
     """A scene of the column, looked at every 0.05 s."""
     simulation = Simulation(scene)
     start = simulation.by_id("position")
-    near = [
-        np.abs(start - np.array(monitor.position)).max(axis=1) < NEAR for monitor in scene.monitors
-    ]
+    near = [np.abs(start - np.array(probe.position)).max(axis=1) < NEAR for probe in scene.probes]
     low, high = np.inf, -np.inf
     history, states = [], {}
     for time in LOOKS.round(3):

@@ -35,7 +35,7 @@ def draw_turned(folder: Path) -> Path:
     scenes = [(f"turned by {angle}°", float(angle), turned_scene(angle)) for angle in ANGLES]
     scenes.append(("configuration B", 45.0, lattice_scene()))
     scenes.append(
-        ("configuration B, clipped", 45.0, changed(lattice_scene(), "bodies.0.clip=true"))
+        ("configuration B, clipped", 45.0, changed(lattice_scene(), "bodies.0.fill=exact"))
     )
     figure, axes = new_figure(len(scenes), 3, width=3.8, height=3.2)
     for row, (title, angle, scene) in enumerate(scenes):

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+
+#include "lapilli/mpm/heat/heat_problem.hpp"
+#include "lapilli/mpm/rigid_motion.hpp"
+#include "lapilli/mpm/surface_view.hpp"
+
+namespace lapilli {
+
+/// Heat of bodies that one rigid motion moves, solved in their own frame: heat does not know that
+/// they move, so the solver is that of bodies at rest, on a grid fixed to them. Only conditions do
+/// that depend on the place: these are asked where it has come to.
+template <int Dim>
+class HeatInBodyFrame final : public Physics, public HasSurface {
+ public:
+  /// Whether a problem is of this kind: one rigid motion, no choice that asks for moving points,
+  /// and regions in space, if any, that the motion maps onto themselves.
+  static bool suits(const HeatProblem<Dim>& problem);
+
+  HeatInBodyFrame(Points& points, HeatProblem<Dim> problem);
+
+  std::string name() const override { return "heat"; }
+  StepLimit step_limit() const override { return at_rest_->step_limit(); }
+  StepReport advance(const Step& step) override;
+  void refresh_output() override;
+  std::vector<Field> fields() override;
+  std::vector<Ledger> ledgers() const override { return at_rest_->ledgers(); }
+  std::vector<std::pair<std::string, double>> diagnostics() const override {
+    return at_rest_->diagnostics();
+  }
+  SurfaceView surface() const override;
+  void save(Archive& archive) const override;
+  void load(const Archive& archive) override;
+
+ private:
+  Points& points_;
+  Motion motion_;
+  std::unique_ptr<Physics> at_rest_;
+  std::unique_ptr<PointArray> start_;  // m, places in the frame of the bodies
+  double time_ = 0.0;                  // s
+  bool shown_ = false;
+};
+
+}  // namespace lapilli

@@ -1,0 +1,238 @@
+#include "lapilli/mpm/heat/heat_in_shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/core/value_over_step.hpp"
+#include "lapilli/mpm/cell_order.hpp"
+
+namespace lapilli {
+namespace {
+
+// Unknowns near the surface from which a factor takes longer than iterating.
+constexpr std::size_t direct_limit = 60'000;
+
+}  // namespace
+
+template <int Dim>
+bool HeatInShapes<Dim>::suits(const HeatProblem<Dim>& problem) {
+  // Who sets the nodal normals, or exchange at the start of the step, wants the operators of points.
+  const HeatSettings& settings = problem.settings;
+  const HeatSettings usual;
+  const bool untouched = settings.normal_smoothing == usual.normal_smoothing &&
+                         settings.corner_fit == usual.corner_fit &&
+                         settings.implicit_exchange == usual.implicit_exchange;
+  return !problem.moving && untouched && settings.method == FluxMethod::virtual_flux &&
+         (settings.transfer == HeatTransfer::automatic ||
+          settings.transfer == HeatTransfer::kept) &&
+         std::all_of(problem.bodies.begin(), problem.bodies.end(),
+                     [](const HeatBody& body) { return body.shape.has_value(); });
+}
+
+template <int Dim>
+HeatInShapes<Dim>::HeatInShapes(Points& points, HeatProblem<Dim> problem)
+    : points_(points),
+      problem_(std::move(problem)),
+      coefficients_(problem_.bodies, problem_.shape),
+      laws_(problem_.settings.boundaries),
+      part_of_(problem_.bodies.size(), 0) {
+  CellOrder<Dim>(problem_.grid, support_of(problem_.shape)).update(points_);
+  for (HeatPart<Dim>& part : make_parts<Dim>(points_, problem_, found_)) {
+    for (const std::size_t body : part.bodies) {
+      part_of_[body] = solved_.size();
+    }
+    Solved one;
+    one.inverse.assign(part.capacity.size(), 0.0);
+    for (std::size_t place = 0; place < part.capacity.size(); ++place) {
+      if (part.capacity[place] > 0.0) {
+        one.inverse[place] = 1.0 / part.capacity[place];
+      } else if (part.followers.follows(static_cast<Index>(place))) {
+        one.inverse[place] = 1.0;
+      }
+    }
+    one.increment.assign(part.capacity.size(), 0.0);
+    one.unknown_place = part.unknown_place;
+    one.part = std::move(part);
+    if (is_implicit()) {
+      number_all_leaders(one);
+    }
+    one.surface = SurfaceTerm(laws_, std::move(one.part.surface));
+    solved_.push_back(std::move(one));
+  }
+  bound_step();
+  initial_ = ledgers().front().stored;
+}
+
+template <int Dim>
+void HeatInShapes<Dim>::bound_step() {
+  if (is_implicit()) {
+    limit_.reason = "the theta scheme has no limit";
+    return;
+  }
+  double fastest = 0.0;
+  for (const Solved& one : solved_) {
+    fastest = std::max(fastest, fastest_rate(one.part));
+  }
+  if (fastest > 0.0) {
+    limit_.hard = 2.0 / fastest;
+    limit_.automatic = 0.6 * limit_.hard;
+  }
+  limit_.reason = "explicit heat: largest eigenvalue of the nodal operator";
+}
+
+template <int Dim>
+SurfaceTerm::Vector HeatInShapes<Dim>::gather(const Solved& one,
+                                              std::span<const double> values) const {
+  SurfaceTerm::Vector some(static_cast<Eigen::Index>(one.unknown_place.size()));
+  for (std::size_t k = 0; k < one.unknown_place.size(); ++k) {
+    some[static_cast<Eigen::Index>(k)] = values[one.unknown_place[k]];
+  }
+  return some;
+}
+
+template <int Dim>
+StepReport HeatInShapes<Dim>::advance(const Step& step) {
+  StepReport report{step.size, 0, 0.0};
+  for (Solved& one : solved_) {
+    if (is_implicit()) {
+      const StepReport part = advance_implicitly(one, step);
+      report.iterations = std::max(report.iterations, part.iterations);
+      report.residual = std::max(report.residual, part.residual);
+      continue;
+    }
+    conduct(one, step.size);
+    release_sources(one, step);
+    exchange_with_surroundings(one, step);
+    finish(one);
+  }
+  if (step.look || step.index % 128 == 0) {
+    require_finite();
+  }
+  return report;
+}
+
+template <int Dim>
+void HeatInShapes<Dim>::conduct(Solved& one, double step) const {
+  const double* inverse = one.inverse.data();
+  double* increment = one.increment.data();
+  // Followers receive heat instead of a rise, and hand it on.
+  one.part.conduction->multiply(
+      one.part.temperature.data(), [=](Index place, int count, const auto& product) {
+        for (int k = 0; k < count; ++k) {
+          increment[place + k] = -step * inverse[place + k] * product[k];
+        }
+      });
+  one.part.followers.hand_on(one.increment, one.inverse);
+}
+
+template <int Dim>
+double HeatInShapes<Dim>::source_heat(const Solved& one, std::span<const double> temperature,
+                                      double begin, double size, std::span<double> heat) const {
+  double sum = 0.0;
+  for (const auto& own : one.part.sources) {
+    std::vector<double> state, rate(own.place.size());
+    for (const Index place : own.place) {
+      state.push_back(temperature[place]);
+    }
+    evaluate_over(problem_.bodies[own.body].source, own.position, state, begin, begin + size, rate);
+    for (std::size_t k = 0; k < rate.size(); ++k) {
+      heat[own.place[k]] += size * rate[k] * own.volume[k];
+      sum += size * rate[k] * own.volume[k];
+    }
+  }
+  one.part.followers.restrict_to_leaders(heat);
+  return sum;
+}
+
+template <int Dim>
+void HeatInShapes<Dim>::release_sources(Solved& one, const Step& step) {
+  if (one.part.sources.empty()) {
+    return;
+  }
+  std::vector<double> heat(one.increment.size(), 0.0);
+  source_ += source_heat(one, one.part.temperature, step.time, step.size, heat);
+  for (std::size_t place = 0; place < heat.size(); ++place) {
+    one.increment[place] += one.inverse[place] * heat[place];
+  }
+}
+
+template <int Dim>
+void HeatInShapes<Dim>::exchange_with_surroundings(Solved& one, const Step& step) {
+  if (one.surface.empty() || one.unknown_place.empty()) {
+    return;
+  }
+  one.surface.evaluate(laws_, gather(one, one.part.temperature), step.time,
+                       step.time + step.size);
+  const SurfaceTerm::Vector before = gather(one, one.increment);
+  const SurfaceTerm::Vector capacity = gather(one, one.part.capacity);
+  SurfaceTerm::Vector rise;
+  if (one.surface.has_slopes()) {
+    prepare(one, 0.0);
+    rise = one.solver.solve(one.surface, step.size,
+                            capacity.cwiseProduct(before) + step.size * one.surface.force());
+  } else {
+    rise = before + step.size * one.surface.force().cwiseQuotient(capacity);
+  }
+  for (std::size_t k = 0; k < one.unknown_place.size(); ++k) {
+    one.increment[one.unknown_place[k]] = rise[static_cast<Eigen::Index>(k)];
+  }
+  book_laws(one, step.size, rise, capacity.dot(rise - before));
+}
+
+template <int Dim>
+void HeatInShapes<Dim>::book_laws(const Solved& one, double size, const SurfaceTerm::Vector& rise,
+                                  double given) {
+  // Each law gave what it says; what rounding and the solver leave goes to the largest.
+  std::size_t largest = 0;
+  std::vector<double> heat(laws_.size());
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    heat[law] = size * one.surface.heat(law, rise);
+    given -= heat[law];
+    largest = std::abs(heat[law]) > std::abs(heat[largest]) ? law : largest;
+  }
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    laws_.book(law, law == largest ? heat[law] + given : heat[law]);
+  }
+}
+
+template <int Dim>
+void HeatInShapes<Dim>::finish(Solved& one) const {
+  double* temperature = one.part.temperature.data();
+  const double* increment = one.increment.data();
+  parallel_for(
+      static_cast<Index>(one.increment.size()),
+      [=](Index place) { temperature[place] += increment[place]; }, Work::light);
+  one.part.followers.prolong(one.part.temperature);
+}
+
+template <int Dim>
+void HeatInShapes<Dim>::prepare(Solved& one, double scale) const {
+  if (one.solver.has_base(scale)) {
+    return;
+  }
+  const SurfaceTerm::Vector capacity = gather(one, one.part.capacity);
+  SurfaceTerm::Matrix base(capacity.size(), capacity.size());
+  base = scale > 0.0 ? SurfaceTerm::Matrix(scale * one.conduction) : base;
+  std::vector<Eigen::Triplet<double>> diagonal;
+  for (Eigen::Index k = 0; k < capacity.size(); ++k) {
+    diagonal.emplace_back(static_cast<int>(k), static_cast<int>(k), capacity[k]);
+  }
+  SurfaceTerm::Matrix stored(capacity.size(), capacity.size());
+  stored.setFromTriplets(diagonal.begin(), diagonal.end());
+  base += stored;
+  const HeatSolver choice = problem_.settings.solver;
+  const std::size_t limit =
+      !is_implicit() ? direct_limit : Dim == 3 ? std::size_t{30'000} : std::size_t{400'000};
+  const bool direct = choice == HeatSolver::direct || (choice == HeatSolver::automatic &&
+                                                       one.unknown_place.size() <= limit);
+  one.solver.set_base(std::move(base), scale,
+                      direct ? SurfaceSolver::Method::direct
+                             : SurfaceSolver::Method::conjugate_gradient);
+}
+
+template class HeatInShapes<1>;
+template class HeatInShapes<2>;
+template class HeatInShapes<3>;
+
+}  // namespace lapilli

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lapilli/core/points.hpp"
+#include "lapilli/mpm/heat/followers.hpp"
+#include "lapilli/mpm/heat/heat_problem.hpp"
+#include "lapilli/mpm/heat/surface_term.hpp"
+#include "lapilli/mpm/stencil_matrix.hpp"
+
+namespace lapilli {
+
+/// One body, or several that touch, as nodal operators integrated over the shapes: nothing passes
+/// between parts, however close they lie.
+template <int Dim>
+struct HeatPart {
+  /// The volume that nodes have of one body, for its source.
+  struct BodyVolume {
+    std::size_t body;
+    std::vector<Index> place;
+    std::vector<Vec3> position;  // m, in the body
+    std::vector<double> volume;  // m^dim
+  };
+
+  std::vector<std::size_t> bodies;
+  std::unique_ptr<NodeRows<Dim>> rows;
+  std::unique_ptr<StencilMatrix<Dim>> conduction;  // K = integral of grad S . k grad S, W/K
+  Followers<Dim> followers;
+  std::vector<double> capacity;     // C' by place, J/K; zero for nodes that follow
+  std::vector<double> temperature;  // by place, K; followers are kept up to date
+  std::vector<BodyVolume> sources;
+  std::vector<SurfaceTerm::Part> surface;  // by law, with columns by unknown
+  std::vector<Index> unknown_place;        // nodes near the surface that lead
+
+};
+
+/// What the assembly found, for the record.
+struct SurfaceFound {
+  double area = 0.0;    // m^(dim-1), of all free surface of a body
+  double volume = 0.0;  // m^dim
+  Index followers = 0, nodes = 0;
+};
+
+/// Make the parts of a problem whose bodies all have shapes. Throws std::invalid_argument when a
+/// law selects no surface or an initial temperature is not finite.
+template <int Dim>
+std::vector<HeatPart<Dim>> make_parts(const Points& points, const HeatProblem<Dim>& problem,
+                                      std::vector<SurfaceFound>& found);
+
+}  // namespace lapilli

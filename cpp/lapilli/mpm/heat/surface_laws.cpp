@@ -1,0 +1,161 @@
+#include "lapilli/mpm/heat/surface_laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/value_over_step.hpp"
+#include "lapilli/mpm/heat/heat_laws.hpp"
+
+namespace lapilli {
+namespace {
+
+/// The values a law is made of.
+std::vector<const Value*> values_of(const HeatBoundary& law) {
+  if (const auto* flux = std::get_if<PrescribedFlux>(&law)) {
+    return {&flux->value};
+  }
+  if (const auto* convection = std::get_if<Convection>(&law)) {
+    return {&convection->coefficient, &convection->ambient};
+  }
+  if (const auto* radiation = std::get_if<Radiation>(&law)) {
+    return {&radiation->emissivity, &radiation->ambient};
+  }
+  return {&std::get<PrescribedTemperature>(law).value};
+}
+
+bool has_function(const HeatBoundary& law) {
+  const auto values = values_of(law);
+  return std::any_of(values.begin(), values.end(),
+                     [](const Value* value) { return value->is_function(); });
+}
+
+/// The slope of a function of the temperature, by a difference: a flux that falls with the
+/// temperature is taken at the end of the step like convection.
+void find_slope(const Value& flux, SurfaceSites& sites, double from, double to) {
+  double span = 1.0;
+  for (const double state : sites.state) {
+    span = std::max(span, std::abs(state));
+  }
+  const double rise = 1e-6 * span;
+  std::vector<double> warmer(sites.state), then(sites.state.size());
+  for (double& state : warmer) {
+    state += rise;
+  }
+  evaluate_over(flux, sites.position, warmer, from, to, then);
+  for (std::size_t k = 0; k < then.size(); ++k) {
+    sites.slope[k] = std::max(0.0, (sites.rate[k] - then[k]) / rise);
+  }
+}
+
+}  // namespace
+
+void SurfaceLaws::Account::add(double value) {
+  const double total = sum + value;
+  dropped += std::abs(sum) >= std::abs(value) ? (sum - total) + value : (value - total) + sum;
+  sum = total;
+}
+
+SurfaceLaws::SurfaceLaws(std::vector<HeatBoundary> laws)
+    : laws_(std::move(laws)), account_(laws_.size()) {}
+
+bool SurfaceLaws::holds_temperature(std::size_t law) const {
+  return std::holds_alternative<PrescribedTemperature>(laws_[law]);
+}
+
+bool SurfaceLaws::is_uniform(std::size_t law) const {
+  return !std::holds_alternative<Radiation>(laws_[law]) && !has_function(laws_[law]);
+}
+
+bool SurfaceLaws::is_linear() const {
+  return std::none_of(laws_.begin(), laws_.end(), [](const HeatBoundary& law) {
+    const auto* flux = std::get_if<PrescribedFlux>(&law);
+    const auto* convection = std::get_if<Convection>(&law);
+    return std::holds_alternative<Radiation>(law) ||
+           (flux != nullptr && flux->value.is_function()) ||
+           (convection != nullptr && convection->coefficient.is_function());
+  });
+}
+
+bool SurfaceLaws::jumps_within(double from, double to) const {
+  return std::any_of(laws_.begin(), laws_.end(), [&](const HeatBoundary& law) {
+    const auto values = values_of(law);
+    return std::any_of(values.begin(), values.end(), [&](const Value* value) {
+      return lapilli::jumps_within(*value, from, to);
+    });
+  });
+}
+
+UniformLaw SurfaceLaws::uniform(std::size_t law, double hold, double from, double to) const {
+  UniformLaw made;
+  if (const auto* flux = std::get_if<PrescribedFlux>(&laws_[law])) {
+    made.flux = mean_over(flux->value, from, to);
+  } else if (const auto* convection = std::get_if<Convection>(&laws_[law])) {
+    made.coefficient = mean_over(convection->coefficient, from, to);
+    made.ambient = mean_over(convection->ambient, from, to);
+  } else {
+    made.coefficient = hold;
+    made.ambient = mean_over(std::get<PrescribedTemperature>(laws_[law]).value, from, to);
+  }
+  return made;
+}
+
+void SurfaceLaws::evaluate(std::size_t law, SurfaceSites& sites, double from, double to) const {
+  const std::size_t count = sites.area.size();
+  std::vector<double> first(count), second(count);
+  const auto fill = [&](const Value& value, std::vector<double>& to_fill) {
+    evaluate_over(value, sites.position, sites.state, from, to, to_fill);
+  };
+  if (const auto* flux = std::get_if<PrescribedFlux>(&laws_[law])) {
+    fill(flux->value, sites.rate);
+    std::fill(sites.slope.begin(), sites.slope.end(), 0.0);
+    if (flux->value.is_function()) {
+      find_slope(flux->value, sites, from, to);
+    }
+    return;
+  }
+  if (const auto* convection = std::get_if<Convection>(&laws_[law])) {
+    fill(convection->coefficient, sites.slope);
+    fill(convection->ambient, second);
+  } else if (const auto* radiation = std::get_if<Radiation>(&laws_[law])) {
+    fill(radiation->emissivity, first);
+    fill(radiation->ambient, second);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double own = std::max(sites.state[k], 0.0), far = second[k];
+      sites.slope[k] =
+          first[k] * radiation->stefan_boltzmann * (far * far + own * own) * (far + own);
+    }
+  } else {
+    sites.slope = sites.hold;
+    fill(std::get<PrescribedTemperature>(laws_[law]).value, second);
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    sites.rate[k] = sites.slope[k] * (second[k] - sites.state[k]);
+  }
+}
+
+std::vector<Ledger::Entry> SurfaceLaws::entries() const {
+  std::vector<Ledger::Entry> all;
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    all.push_back({name_of_law(laws_[law], law), account_[law].sum + account_[law].dropped});
+  }
+  return all;
+}
+
+void SurfaceLaws::save(Archive& archive, const std::string& name) const {
+  std::vector<double> sums;
+  for (const Account& account : account_) {
+    sums.push_back(account.sum);
+    sums.push_back(account.dropped);
+  }
+  archive.write(name, std::span<const double>(sums));
+}
+
+void SurfaceLaws::load(const Archive& archive, const std::string& name) {
+  std::vector<double> sums(2 * account_.size());
+  archive.read(name, std::span<double>(sums));
+  for (std::size_t law = 0; law < account_.size(); ++law) {
+    account_[law] = {sums[2 * law], sums[2 * law + 1]};
+  }
+}
+
+}  // namespace lapilli

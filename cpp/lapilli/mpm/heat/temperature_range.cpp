@@ -1,0 +1,76 @@
+#include "lapilli/mpm/heat/temperature_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+namespace {
+
+/// What a law would bring the surface to; null for a flux.
+const Value* surroundings_of(const HeatBoundary& law) {
+  if (const auto* convection = std::get_if<Convection>(&law)) {
+    return &convection->ambient;
+  }
+  if (const auto* radiation = std::get_if<Radiation>(&law)) {
+    return &radiation->ambient;
+  }
+  const auto* held = std::get_if<PrescribedTemperature>(&law);
+  return held != nullptr ? &held->value : nullptr;
+}
+
+bool is_zero(const Value& value) { return value.is_constant() && value.at(0.0) == 0.0; }
+
+}  // namespace
+
+double absolute_zero(const HeatSettings& settings) {
+  return settings.unit == TemperatureUnit::celsius ? -273.15 : 0.0;
+}
+
+template <int Dim>
+TemperatureRange diverged_beyond(const HeatProblem<Dim>& problem, std::span<const double> start) {
+  const auto [least, most] = std::minmax_element(start.begin(), start.end());
+  double low = *least, high = *most;
+  for (const HeatBoundary& law : problem.settings.boundaries) {
+    const Value* outside = surroundings_of(law);
+    if (outside == nullptr || outside->is_function()) {
+      return {};
+    }
+    low = std::min(low, outside->least());
+    high = std::max(high, outside->largest());
+  }
+  for (const HeatBody& body : problem.bodies) {
+    if (!is_zero(body.source)) {
+      return {};
+    }
+  }
+  const double span = std::max(high - low, 1e-6 * std::max(std::abs(low), std::abs(high)));
+  return {low - 3.0 * span, high + 3.0 * span};
+}
+
+template <int Dim>
+void require_absolute(const HeatProblem<Dim>& problem, const Points& points,
+                      std::span<const double> start) {
+  const auto& laws = problem.settings.boundaries;
+  const bool radiates = std::any_of(laws.begin(), laws.end(), [](const HeatBoundary& law) {
+    return std::holds_alternative<Radiation>(law);
+  });
+  const double zero = absolute_zero(problem.settings);
+  for (Index row = 0; radiates && row < points.size(); ++row) {
+    require(start[static_cast<std::size_t>(row)] >= zero, "initial temperature of point ",
+            points.id()[row], " of body ", points.body()[row], " is ",
+            start[static_cast<std::size_t>(row)], ", below absolute zero at ", zero,
+            ": temperatures under radiation are absolute (temperature_unit says their unit)");
+  }
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                                               \
+  template TemperatureRange diverged_beyond(const HeatProblem<Dim>&, std::span<const double>); \
+  template void require_absolute(const HeatProblem<Dim>&, const Points&, std::span<const double>);
+LAPILLI_INSTANTIATE(1)
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+}  // namespace lapilli

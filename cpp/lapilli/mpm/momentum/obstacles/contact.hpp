@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "lapilli/core/vector.hpp"
+
+namespace lapilli {
+
+/// One point of a body that an obstacle may touch: it acts at the point's foot on the surface, on
+/// the nodes that carry mass around it.
+template <int Dim>
+struct Contact {
+  static constexpr int corners = 1 << Dim;
+
+  Index row = 0;                         // of the point
+  Vec<Dim> foot, normal, wall;           // m; out of the obstacle; its velocity there, m/s
+  double bound = 0.0;                    // m/s, least normal speed that leaves an open gap open
+  double grip = 0.0;                     // N s that adhesion bears in this step
+  int count = 0;                         // of nodes
+  Index node[corners];                   //
+  double weight[corners];                // linear functions at the foot; their sum is 1
+  double mass = 0.0;                     // kg, that an impulse here meets
+  double push = 0.0;                     // N s along the normal
+  Vec<Dim> drag = Vec<Dim>::Zero();      // N s along the surface
+  Vec<Dim> approach = Vec<Dim>::Zero();  // m/s at the foot before any impulse
+
+  Vec<Dim> impulse() const { return push * normal + drag; }
+
+  /// A nodal quantity at the foot.
+  Vec<Dim> at_foot(double* const (&nodal)[Dim]) const {
+    Vec<Dim> value = Vec<Dim>::Zero();
+    for (int k = 0; k < count; ++k) {
+      for (int axis = 0; axis < Dim; ++axis) {
+        value[axis] += weight[k] * nodal[axis][node[k]];
+      }
+    }
+    return value;
+  }
+};
+
+/// Impulses of the contacts with one obstacle that take the nodal velocity out of it, with Coulomb
+/// friction: projected Jacobi sweeps from the impulses that the contacts bring. The masses of the
+/// contacts are scaled so that all of them together do not overshoot. Adds to `velocity`; `crowd`
+/// is scratch over the nodes, zero before and after. friction = infinity: no slip.
+template <int Dim>
+void solve_contacts(std::vector<Contact<Dim>>& contacts, double friction, const double* mass,
+                    double* const (&velocity)[Dim], std::vector<double>& crowd);
+
+}  // namespace lapilli

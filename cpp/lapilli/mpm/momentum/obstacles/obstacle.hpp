@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lapilli/core/describe.hpp"
+#include "lapilli/core/value.hpp"
+#include "lapilli/geometry/shape.hpp"
+
+namespace lapilli {
+
+/// How an obstacle resists what slides along it. Material may part from every one.
+enum class ObstacleContact { frictional, slip, no_slip };
+
+template <>
+struct Names<ObstacleContact> {
+  static constexpr std::pair<ObstacleContact, const char*> values[] = {
+      {ObstacleContact::frictional, "frictional"},
+      {ObstacleContact::slip, "slip"},
+      {ObstacleContact::no_slip, "no_slip"}};
+};
+
+/// A rigid obstacle of any shape, at rest or with a prescribed motion: terrain, a tool, a box. It
+/// need not fit the grid.
+struct Obstacle {
+  std::string name;
+  Shape shape;
+  ObstacleContact contact = ObstacleContact::frictional;
+  double friction = 0.0;                    // coefficient of Coulomb friction
+  double adhesion = 0.0;                    // Pa of shear on top of it, while in contact
+  std::vector<double> velocity;             // m/s; empty: none
+  double revolutions_per_second = 0.0;      // 1/s, positive counter-clockwise
+  std::vector<double> center;               // m, of the turning, at the start; empty: the origin
+  std::vector<double> axis{0.0, 0.0, 1.0};  // of the turning, 3D only
+  Value factor = 1.0;                       // multiplies both motions: a number or a table in time
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit(Key("name").text("name of the obstacle in diagnostics and messages"), self.name);
+    visit(Key("shape").required().text("what material cannot enter, any shape"), self.shape);
+    visit(Key("contact").text("frictional, slip or no_slip; material may part from all"),
+          self.contact);
+    visit(Key("friction").non_negative().text("coefficient of Coulomb friction, of frictional"),
+          self.friction);
+    visit(Key("adhesion").unit("Pa").non_negative().text("shear it bears beyond friction"),
+          self.adhesion);
+    visit(Key("velocity").unit("m/s").length(0, 3).text("one number an axis; empty: none"),
+          self.velocity);
+    visit(Key("revolutions_per_second").unit("1/s").text("positive counter-clockwise"),
+          self.revolutions_per_second);
+    visit(Key("center").unit("m").length(0, 3).text("centre of the turning; empty: the origin"),
+          self.center);
+    visit(Key("axis").length(3, 3).text("direction of the axis, in 3D"), self.axis);
+    visit(Key("factor").text("multiplies the motion: a number or a table in time"), self.factor);
+  }
+};
+
+/// Throws std::invalid_argument naming the first number of obstacle `index` out of range. Prepares
+/// its shape for queries.
+void check(const Obstacle& obstacle, int dimension, int index);
+
+}  // namespace lapilli

@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/quasi_static/quasi_static.hpp"
+
+namespace lapilli {
+namespace {
+
+// GIMP domains start within these half-widths, in cells.
+constexpr double least_half_width = 0.02, largest_half_width = 0.499;
+
+}  // namespace
+
+template <int Dim>
+QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFunction shape_function,
+                              std::vector<LinearElastic> materials, QuasiStaticSettings settings,
+                              std::vector<Shape> shapes)
+    : points_(points),
+      grid_(grid),
+      materials_(std::move(materials)),
+      settings_(std::move(settings)),
+      boundary_(settings_, std::move(shapes)),
+      stress_(points, 6),
+      start_volume_(points, 1),
+      displacement_(points, Dim),
+      guarded_(points, static_cast<int>(std::max<std::size_t>(1, boundary_.walls()))),
+      wall_forces_(boundary_.walls(), Vec<Dim>::Zero()),
+      reference_(points, shape_function == ShapeFunction::gimp) {
+  require(points.dimension() == Dim && points.size() > 0, "quasi_static needs points of dimension ",
+          Dim);
+  require(shape_function != ShapeFunction::bspline,
+          "quasi_static takes grid.shape_function linear or gimp, not bspline");
+  for (const LinearElastic& material : materials_) {
+    check(material);
+  }
+  for (Index p = 0; p < points.size(); ++p) {
+    require(points.body()[p] >= 0 && points.body()[p] < static_cast<Index>(materials_.size()),
+            "body ", points.body()[p], " has no elastic material for quasi_static");
+  }
+  std::copy_n(points.volume().data(), points.volume().size(), start_volume_.data());
+  choose_schemes();
+  if (shape_function == ShapeFunction::gimp) {
+    start_half_widths();
+  }
+  boundary_.guard(grid_, points_, 0.0, guarded_.values());
+  try {
+    reset_grid(0.0);
+  } catch (const RunError& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+template <int Dim>
+void QuasiStatic<Dim>::choose_schemes() {
+  constexpr double locking = 0.4;  // Poisson ratio above which cells share one dilatation
+  const bool literal = settings_.wall_form == WallForm::literal;
+  const double bandwidth = settings_.bandwidth.value_or(literal ? 1e-6 : 1e-3);
+  require(bandwidth > 0.0 && settings_.gap_bandwidth > 0.0,
+          "quasi_static: bandwidth and gap_bandwidth must be positive, got ", bandwidth, " and ",
+          settings_.gap_bandwidth, " cells");
+  scheme_ = WallScheme::of(settings_.wall_form, bandwidth, settings_.gap_bandwidth);
+  ghost_ = settings_.ghost.value_or(literal ? 0.0 : 0.01);
+  relaxation_ = settings_.relaxation.value_or(literal ? 0.0 : 0.5) * grid_.cell_size();
+  reset_ = settings_.reset.value_or(literal ? 0.0 : 0.1) * grid_.cell_size();
+  update_volumes_ = settings_.update_volumes.value_or(!literal);
+  require(reset_ >= 0.0, "quasi_static: reset must not be negative, got ", *settings_.reset);
+  require(ghost_ >= 0.0, "quasi_static: ghost must not be negative, got ", ghost_);
+  require(settings_.body_force.size() <= Dim, "quasi_static: body_force has ",
+          settings_.body_force.size(), " values, the scene has ", Dim, " axes");
+  for (const LinearElastic& material : materials_) {
+    averaged_.push_back(settings_.b_bar.value_or(material.poissons_ratio > locking && !literal));
+  }
+}
+
+template <int Dim>
+void QuasiStatic<Dim>::start_half_widths() {
+  half_width_ = std::make_unique<PointArray>(points_, Dim);
+  const double h = grid_.cell_size();
+  for (Index p = 0; p < points_.size(); ++p) {
+    const double width = 0.5 * std::pow(points_.volume()[p], 1.0 / Dim);
+    std::fill_n(half_width_->data() + Dim * p, Dim,
+                std::clamp(width, least_half_width * h, largest_half_width * h));
+  }
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                                          \
+  template QuasiStatic<Dim>::QuasiStatic(Points&, const Grid<Dim>&, ShapeFunction,        \
+                                         std::vector<LinearElastic>, QuasiStaticSettings, \
+                                         std::vector<Shape>);                             \
+  template void QuasiStatic<Dim>::choose_schemes();                                       \
+  template void QuasiStatic<Dim>::start_half_widths();
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+std::unique_ptr<Physics> make_quasi_static(Points& points, const Vec3& lower, const Vec3& upper,
+                                           double cell, ShapeFunction shape_function,
+                                           std::vector<LinearElastic> materials,
+                                           QuasiStaticSettings settings,
+                                           std::vector<Shape> shapes) {
+  if (points.dimension() == 3) {
+    return std::make_unique<QuasiStatic<3>>(points, Grid<3>(lower, upper, cell), shape_function,
+                                            std::move(materials), std::move(settings),
+                                            std::move(shapes));
+  }
+  require(points.dimension() == 2, "quasi_static needs two or three dimensions, got ",
+          points.dimension());
+  return std::make_unique<QuasiStatic<2>>(points, Grid<2>(lower.head<2>(), upper.head<2>(), cell),
+                                          shape_function, std::move(materials), std::move(settings),
+                                          std::move(shapes));
+}
+
+}  // namespace lapilli

@@ -1,0 +1,98 @@
+#include "lapilli/mpm/surface/divide_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lapilli {
+namespace {
+
+// Lengths in cells.
+constexpr double gap = 2e-3;      // bodies less apart touch
+constexpr double on_wall_by = 1e-6;
+constexpr double slack = 0.35;    // of a region that ends along the surface
+
+template <int Dim>
+Vec3 in_space(const Vec<Dim>& place) {
+  Vec3 at = Vec3::Zero();
+  at.template head<Dim>() = place;
+  return at;
+}
+
+}  // namespace
+
+template <int Dim>
+SurfaceDivision<Dim>::SurfaceDivision(const Grid<Dim>& grid, std::span<const Shape> bodies,
+                                      std::size_t own, std::vector<const Shape*> regions,
+                                      const ContactFaces& walls)
+    : grid_(grid), bodies_(bodies), own_(own), regions_(std::move(regions)), walls_(walls) {
+  has_regions_ = std::any_of(regions_.begin(), regions_.end(),
+                             [](const Shape* region) { return region != nullptr; });
+}
+
+template <int Dim>
+bool SurfaceDivision<Dim>::near_others(const SurfacePiece<Dim>& piece) const {
+  const Vec3 at = in_space<Dim>(piece.middle());
+  for (std::size_t other = 0; other < bodies_.size(); ++other) {
+    if (other != own_ && distance(bodies_[other], at) < 2.0 * grid_.cell_size()) {
+      return true;
+    }
+  }
+  return std::any_of(walls_.begin(), walls_.end(), [](bool wall) { return wall; });
+}
+
+template <int Dim>
+bool SurfaceDivision<Dim>::on_wall(const Vec<Dim>& at, const Vec<Dim>& normal) const {
+  const double h = grid_.cell_size();
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double lower = grid_.lower()[axis];
+    const double upper = lower + (grid_.cells(axis) - 2 * Grid<Dim>::padding) * h;
+    if ((walls_[static_cast<std::size_t>(2 * axis)] && at[axis] < lower + on_wall_by * h &&
+         normal[axis] < -0.99) ||
+        (walls_[static_cast<std::size_t>(2 * axis + 1)] && at[axis] > upper - on_wall_by * h &&
+         normal[axis] > 0.99)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+template <int Dim>
+int SurfaceDivision<Dim>::label_at(const Vec<Dim>& at, const Vec<Dim>& normal, bool near) {
+  const double h = grid_.cell_size();
+  const Vec3 place = in_space<Dim>(at), outward = in_space<Dim>(normal);
+  if (near) {
+    if (on_wall(at, normal)) {
+      return covered;
+    }
+    const Vec3 beyond = project(bodies_[own_], place) + gap * h * outward;
+    for (std::size_t other = 0; other < bodies_.size(); ++other) {
+      if (other != own_ && distance(bodies_[other], beyond) <= 0.0) {
+        if (std::find(touching_.begin(), touching_.end(), other) == touching_.end()) {
+          touching_.push_back(other);
+        }
+        return covered;
+      }
+    }
+  }
+  for (std::size_t law = 0; law < regions_.size(); ++law) {
+    const Shape* region = regions_[law];
+    if (region == nullptr) {
+      return static_cast<int>(law);
+    }
+    const double from = distance(*region, place);
+    if (from > slack * h) {
+      continue;
+    }
+    const double across = gradient(*region, place).dot(outward);
+    if (from <= h * std::max(1e-6, slack * std::pow(std::max(across, 0.0), 8))) {
+      return static_cast<int>(law);
+    }
+  }
+  return nobody;
+}
+
+template class SurfaceDivision<1>;
+template class SurfaceDivision<2>;
+template class SurfaceDivision<3>;
+
+}  // namespace lapilli

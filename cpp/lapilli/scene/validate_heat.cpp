@@ -1,0 +1,71 @@
+#include "lapilli/scene/validate_heat.hpp"
+
+#include <algorithm>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/temperature_range.hpp"
+#include "lapilli/scene/place_errors.hpp"
+
+namespace lapilli {
+namespace {
+
+bool radiates(const Scene& scene) {
+  const auto is_radiation = [](const HeatBoundary& law) {
+    return std::holds_alternative<Radiation>(law);
+  };
+  return scene.heat && std::ranges::any_of(scene.heat->boundaries, is_radiation);
+}
+
+/// Call body(value, path) for every temperature that a scene with [heat] gives.
+template <class Body>
+void for_each_temperature(const Scene& scene, const Body& body) {
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    body(scene.bodies[k].temperature, message("bodies.", k, ".temperature"));
+  }
+  for (std::size_t k = 0; k < scene.heat->boundaries.size(); ++k) {
+    const HeatBoundary& law = scene.heat->boundaries[k];
+    const std::string path = message("heat.boundaries.", k);
+    if (const auto* convection = std::get_if<Convection>(&law)) {
+      body(convection->ambient, path + ".ambient");
+    } else if (const auto* radiation = std::get_if<Radiation>(&law)) {
+      body(radiation->ambient, path + ".ambient");
+    } else if (const auto* held = std::get_if<PrescribedTemperature>(&law)) {
+      body(held->value, path + ".value");
+    }
+  }
+}
+
+}  // namespace
+
+void validate_heat(const Scene& scene) {
+  if (!radiates(scene)) {
+    return;
+  }
+  const double zero = absolute_zero(*scene.heat);
+  const char* hint = scene.heat->unit ? "" : "; for degrees Celsius set heat.temperature_unit";
+  for_each_temperature(scene, [&](const Value& value, const std::string& path) {
+    require_at(value.is_function() || value.least() >= zero, scene, path,
+               "must be at least absolute zero, ", zero, ", where surfaces radiate, got ",
+               value.least(), hint);
+  });
+}
+
+std::vector<std::string> heat_warnings(const Scene& scene) {
+  constexpr double warm = 150.0;  // K; little that radiates is colder, much is hotter in Celsius
+  if (!radiates(scene) || scene.heat->unit) {
+    return {};
+  }
+  double highest = 0.0;
+  for_each_temperature(scene, [&](const Value& value, const std::string&) {
+    highest = std::max(highest, value.largest());
+  });
+  if (highest >= warm) {
+    return {};
+  }
+  return {
+      message("no temperature is above ", highest,
+              " K though surfaces radiate: are they degrees Celsius? Say heat.temperature_unit = "
+              "\"celsius\" or \"kelvin\"")};
+}
+
+}  // namespace lapilli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lapilli/scene/scene.hpp"
+
+namespace lapilli {
+
+/// Temperatures below absolute zero where surfaces radiate, numbers and tables; throws
+/// std::invalid_argument with the place of the key. Functions are checked where they are called.
+void validate_heat(const Scene& scene);
+
+/// What is not wrong but looks like a slip: temperatures under radiation that look like degrees
+/// Celsius though nothing was said.
+std::vector<std::string> heat_warnings(const Scene& scene);
+
+}  // namespace lapilli

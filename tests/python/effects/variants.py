@@ -1,0 +1,162 @@
+"""Scenes of `scenes` with one thing changed, for keys that need it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import scenes
+
+import lapilli as lp
+
+
+def automatic(scene: lp.Scene) -> lp.Scene:
+    """The same without a given step."""
+    scene.time.step = "auto"
+    return scene
+
+
+def theta_disk() -> lp.Scene:
+    return scenes.disk(stepping="theta")
+
+
+def auto_disk() -> lp.Scene:
+    return automatic(scenes.disk())
+
+
+def theta_of_both() -> lp.Scene:
+    scene = scenes.disk(stepping="theta")
+    scene.bodies[0].source = 1.0
+    return scene
+
+
+def flux_disk() -> lp.Scene:
+    return scenes.disk(boundaries=[lp.Flux(value=1.0)])
+
+
+def paper_disk() -> lp.Scene:
+    return scenes.disk(method="paper")
+
+
+def held_disk() -> lp.Scene:
+    return scenes.disk(boundaries=[lp.Temperature(value=1.0)])
+
+
+def box_plate() -> lp.Scene:
+    scene = scenes.disk(boundaries=[lp.Flux(value=1.0)])
+    scene.bodies[0].shape = lp.Box(lower=(-1.1, -0.9), upper=(1.05, 1.15))
+    return scene
+
+
+def shaken_disk() -> lp.Scene:
+    scene = scenes.disk()
+    scene.bodies[0].jitter = 0.3
+    return scene
+
+
+def rotated_box() -> lp.Scene:
+    scene = box_plate()
+    scene.bodies[0].rotation = 20.0
+    return scene
+
+
+def loaded_block(load: object) -> Callable[[], lp.Scene]:
+    return lambda: scenes.falling_block(gravity=(), boundaries=[load])
+
+
+def sliding_block() -> lp.Scene:
+    return scenes.falling_block()
+
+
+def cool_fluid() -> lp.Scene:
+    return scenes.warm_fluid()
+
+
+def heated_fluid() -> lp.Scene:
+    scene = scenes.warm_fluid()
+    scene.peridynamics.walls[0].heat = "flux"
+    scene.peridynamics.walls[0].temperature = 0.0
+    scene.peridynamics.walls[0].flux = 1.0
+    return scene
+
+
+def convecting_fluid() -> lp.Scene:
+    scene = scenes.warm_fluid()
+    scene.peridynamics.walls[0].heat = "convection"
+    scene.peridynamics.walls[0].coefficient = 1.0
+    return scene
+
+
+def driven_fluid() -> lp.Scene:
+    scene = scenes.warm_fluid()
+    scene.peridynamics.walls[3].velocity = (1.0, 0.0)
+    return scene
+
+
+def zero_energy_fluid() -> lp.Scene:
+    scene = scenes.warm_fluid()
+    scene.peridynamics.heat.laplacian = "zero-energy"
+    scene.peridynamics.flow.laplacian = "zero-energy"
+    return scene
+
+
+def resting_block() -> lp.Scene:
+    """A block at rest below an even surface, with the stress of its weight."""
+    scene = scenes.falling_block(gravity=(0.0, -10.0), walls=[lp.NoSlipWall(face="y_lower")])
+    scene.bodies[0].velocity = ()
+    scene.bodies[0].geostatic = lp.Geostatic(surface=(0, 1), normal=(0, 1), lateral=0.5)
+    return scene
+
+
+def expanding_block() -> lp.Scene:
+    """A warm block that is free to expand."""
+    scene = scenes.falling_block(gravity=(), walls=[])
+    block = scene.bodies[0]
+    block.shape = lp.Box(lower=(1, 0.5), upper=(2, 1.5))
+    block.velocity = ()
+    thermal = lp.Thermal(density=1000, specific_heat=1, conductivity=1)
+    block.material = [block.material, thermal, lp.ThermalExpansion(coefficient=1e-3)]
+    block.source = 1e6
+    scene.heat = lp.Heat()
+    return scene
+
+
+def heating_soil() -> lp.Scene:
+    """Sand whose plastic work becomes heat."""
+    scene = scenes.soil_block()
+    scene.bodies[0].material = [*scene.bodies[0].material, lp.PlasticHeating(share=0.5)]
+    return scene
+
+
+def rubbing_fluid() -> lp.Scene:
+    """A viscous fluid under a fast lid."""
+    scene = driven_fluid()
+    scene.peridynamics.walls[3].velocity = (100.0, 0.0)
+    return scene
+
+
+def swirling_disk() -> lp.Scene:
+    """Circles that turn at their own speeds."""
+    scene = scenes.turning_disk()
+    scene.bodies[0].motion = lp.Swirl(revolutions_per_second=1.0, shear=0.5, radius=1.3)
+    return scene
+
+
+def floating_block(wall: type) -> Callable[[], lp.Scene]:
+    """A block without weight in the corner of two faces, moving towards both."""
+
+    def scene() -> lp.Scene:
+        made = scenes.falling_block(gravity=(), walls=[wall(face="y_lower")])
+        made.bodies[0].shape = lp.Box(lower=(0.25, 0.25), upper=(1, 1))
+        made.bodies[0].velocity = (-0.5, -1.0)
+        return made
+
+    return scene
+
+
+def pulled_block() -> lp.Scene:
+    """A supported block with a traction on its upper face."""
+    scene = scenes.pressed_block()
+    base = scene.quasi_static.walls[0]
+    pull = lp.SurfaceTraction(line=[(1.13, 1.17), (0.03, 1.17)], traction=(0, 100.0))
+    scene.quasi_static = lp.QuasiStatic(walls=[base], tractions=[pull])
+    return scene
