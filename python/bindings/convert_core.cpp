@@ -41,7 +41,7 @@ class PythonFunction {
     const Numbers answer = [&] {
       try {
         return numbers_from("it", given);
-      } catch (const std::invalid_argument&) {
+      } catch (const py::type_error&) {
         refuse(rows, std::string(py::repr(given)).substr(0, 80));
       }
     }();
@@ -94,7 +94,7 @@ FunctionCollector::~FunctionCollector() { collector = outer_; }
 
 Numbers numbers_from(const std::string& what, py::handle given) {
   const auto refuse = [&](const std::string& because) {
-    throw std::invalid_argument(what + " must be numbers, got " + because);
+    throw py::type_error(what + " must be numbers, got " + because);
   };
   const auto masked = py::module_::import("numpy.ma");
   if (py::isinstance(given, masked.attr("MaskedArray")) &&

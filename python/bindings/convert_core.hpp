@@ -10,7 +10,7 @@
 namespace lapilli::python {
 
 /// Any array or nest of lists that holds numbers, made contiguous. Texts, dates, complex numbers,
-/// objects and masked entries are a ValueError that begins with `what`: nothing is dropped.
+/// objects and masked entries are a TypeError that begins with `what`: nothing is dropped.
 Numbers numbers_from(const std::string& what, py::handle given);
 
 /// Notes every function of Python that becomes part of a C++ struct on this thread while it lives.

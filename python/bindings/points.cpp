@@ -60,8 +60,10 @@ void bind_points(py::module_& module) {
              if (positions.is_none() || volumes.is_none()) {
                throw py::type_error("Points: needs two arrays of numbers, positions and volumes");
              }
-             return points_from("Points", numbers_from("Points: positions", positions),
-                                numbers_from("Points: volumes", volumes));
+             return points_from(
+                 "Points",
+                 numbers_from("Points: needs two arrays of numbers: positions", positions),
+                 numbers_from("Points: needs two arrays of numbers: volumes", volumes));
            }),
            py::arg("positions") = py::none(), py::arg("volumes") = py::none(),
            ("__init__" + self +

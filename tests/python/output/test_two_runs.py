@@ -246,5 +246,5 @@ def test_a_failed_simulation_refuses_to_go_on(ring):
     ids=["masked", "objects", "dates", "durations", "complex", "texts"],
 )
 def test_arrays_that_are_no_numbers_are_refused(positions):
-    with pytest.raises(ValueError, match="positions must be numbers"):
+    with pytest.raises(TypeError, match="positions must be numbers"):
         lp.Points(positions, np.ones(4))
