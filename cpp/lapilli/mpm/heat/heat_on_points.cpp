@@ -58,7 +58,9 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
   }
   at_surface_ = transfer_ == HeatTransfer::affine && problem_.settings.implicit_exchange &&
                 problem_.settings.method == FluxMethod::virtual_flux &&
-                !laws_.has_held_temperature() && exchanges_strongly(problem_, strong);
+                // Nodes that bodies of great contrast share leave the range by it.
+                problem_.bodies.size() == 1 && !laws_.has_held_temperature() &&
+                exchanges_strongly(problem_, strong);
   if (!laws_.empty()) {
     surface_ = std::make_unique<HeatSurface<Dim>>(points_, problem_);
     if (transfer_ == HeatTransfer::flip && problem_.settings.implicit_exchange) {
