@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "lapilli/core/require.hpp"
@@ -101,6 +102,11 @@ class Assembly {
     }
     part_.followers = Followers<Dim>(grid_, *part_.rows, all, active_);
     store_heat();
+    if (!leaders_keep_capacity(all)) {
+      part_.followers = Followers<Dim>(grid_, *part_.rows, all, active_, false);
+      part_.sources.clear();
+      store_heat();
+    }
     connect_surface();
     found[part_.bodies.front()].followers = static_cast<Index>(part_.followers.count());
     found[part_.bodies.front()].nodes = std::count(active_.begin(), active_.end(), 1);
@@ -241,6 +247,25 @@ class Assembly {
     }
     part_.followers.restrict_to_leaders(part_.capacity);
     part_.followers.prolong(part_.temperature);
+  }
+
+  /// Whether all nodes that lead have a fifth of their own capacity and more with their followers.
+  bool leaders_keep_capacity(const std::vector<double>& volume) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t body : part_.bodies) {
+      least = std::min(least, problem_.bodies[body].material.capacity());
+    }
+    for (Index node = 0; node < grid_.node_count(); ++node) {
+      if (active_[node] == 0 || volume[node] <= 0.0) {
+        continue;
+      }
+      const Index place = part_.rows->place(node);
+      if (!part_.followers.follows(place) &&
+          part_.capacity[place] < 0.2 * least * volume[node]) {
+        return false;
+      }
+    }
+    return true;
   }
 
   void connect_surface() {
