@@ -58,20 +58,20 @@ def drawn(seed):
         held = False
     cell = feature / cells
     # From when the heat is two cells deep to when half of it is in.
-    fourier = np.exp(rng.uniform(np.log((2 * cell) ** 2), np.log(0.1 * max(feature, 4 * cell) ** 2)))
+    fourier = np.exp(
+        rng.uniform(np.log((2 * cell) ** 2), np.log(0.1 * max(feature, 4 * cell) ** 2))
+    )
     end = fourier * scale**2 / medium.diffusivity
     centre = rng.uniform(-0.5, 0.5, 2) * cell
     angle = rng.uniform(0, 360)
     shape = {
         "disk": lambda: lp.Disk(center=list(scale * centre), radius=scale),
-        "annulus": lambda: lp.Annulus(center=list(scale * centre), inner=scale * inner, outer=scale),
+        "annulus": lambda: lp.Annulus(
+            center=list(scale * centre), inner=scale * inner, outer=scale
+        ),
         "box": lambda: lp.Box(lower=list(-scale * half), upper=list(scale * half)),
     }[kind]()
-    law = (
-        lp.Temperature(value=1.0)
-        if held
-        else lp.Convection(coefficient=coefficient, ambient=1.0)
-    )
+    law = lp.Temperature(value=1.0) if held else lp.Convection(coefficient=coefficient, ambient=1.0)
     body = lp.Body(
         shape=shape,
         material=lp.Thermal(
@@ -106,7 +106,9 @@ def drawn(seed):
                 end, half_widths=widths, coefficient=coefficient, medium=medium
             )
             return field, float(mean) * 4 * np.prod(widths) * medium.capacity
-        wall = Prescribed(temperature=1.0) if held else Convection(coefficient=coefficient, ambient=1)
+        wall = (
+            Prescribed(temperature=1.0) if held else Convection(coefficient=coefficient, ambient=1)
+        )
         round_body = RadialProblem(
             inner=0.0 if kind == "disk" else scale * inner,
             outer=scale,

@@ -18,7 +18,8 @@ constexpr std::size_t direct_limit = 60'000;
 
 template <int Dim>
 bool HeatInShapes<Dim>::suits(const HeatProblem<Dim>& problem) {
-  // Who sets the nodal normals, or exchange at the start of the step, wants the operators of points.
+  // Who sets the nodal normals, or exchange at the start of the step, wants the operators of
+  // points.
   const HeatSettings& settings = problem.settings;
   const HeatSettings usual;
   const bool untouched = settings.normal_smoothing == usual.normal_smoothing &&
@@ -120,12 +121,12 @@ void HeatInShapes<Dim>::conduct(Solved& one, double step) const {
   const double* inverse = one.inverse.data();
   double* increment = one.increment.data();
   // Followers receive heat instead of a rise, and hand it on.
-  one.part.conduction->multiply(
-      one.part.temperature.data(), [=](Index place, int count, const auto& product) {
-        for (int k = 0; k < count; ++k) {
-          increment[place + k] = -step * inverse[place + k] * product[k];
-        }
-      });
+  one.part.conduction->multiply(one.part.temperature.data(),
+                                [=](Index place, int count, const auto& product) {
+                                  for (int k = 0; k < count; ++k) {
+                                    increment[place + k] = -step * inverse[place + k] * product[k];
+                                  }
+                                });
   one.part.followers.hand_on(one.increment, one.inverse);
 }
 
@@ -156,9 +157,9 @@ void HeatInShapes<Dim>::release_sources(Solved& one, const Step& step) {
   const std::size_t size = one.increment.size();
   std::vector<double> heat(size, 0.0), slope(size, 0.0);
   source_heat(one, one.part.temperature, step.time, step.size, heat);
-  const bool depends = std::any_of(
-      one.part.sources.begin(), one.part.sources.end(),
-      [&](const auto& own) { return problem_.bodies[own.body].source.is_function(); });
+  const bool depends =
+      std::any_of(one.part.sources.begin(), one.part.sources.end(),
+                  [&](const auto& own) { return problem_.bodies[own.body].source.is_function(); });
   if (depends) {
     // A source that falls with the temperature is taken at the end of the step.
     double span = 1.0;
@@ -190,8 +191,7 @@ void HeatInShapes<Dim>::exchange_with_surroundings(Solved& one, const Step& step
   if (one.surface.empty() || one.unknown_place.empty()) {
     return;
   }
-  one.surface.evaluate(laws_, gather(one, one.part.temperature), step.time,
-                       step.time + step.size);
+  one.surface.evaluate(laws_, gather(one, one.part.temperature), step.time, step.time + step.size);
   const SurfaceTerm::Vector before = gather(one, one.increment);
   const SurfaceTerm::Vector capacity = gather(one, one.part.capacity);
   SurfaceTerm::Vector rise;
@@ -250,8 +250,9 @@ void HeatInShapes<Dim>::prepare(Solved& one, double scale) const {
   stored.setFromTriplets(diagonal.begin(), diagonal.end());
   base += stored;
   const HeatSolver choice = problem_.settings.solver;
-  const std::size_t limit =
-      !is_implicit() ? direct_limit : Dim == 3 ? std::size_t{30'000} : std::size_t{400'000};
+  const std::size_t limit = !is_implicit() ? direct_limit
+                            : Dim == 3     ? std::size_t{30'000}
+                                           : std::size_t{400'000};
   // Near a surface in space a factor fills up; without a prescribed temperature a few rounds of
   // conjugate gradients do.
   bool holds = false;
@@ -260,11 +261,11 @@ void HeatInShapes<Dim>::prepare(Solved& one, double scale) const {
   }
   const bool few_rounds = Dim == 3 && !is_implicit() && !holds && one.unknown_place.size() > 2000;
   const bool direct =
-      choice == HeatSolver::direct || (choice == HeatSolver::automatic && !few_rounds &&
-                                       one.unknown_place.size() <= limit);
-  one.solver.set_base(std::move(base), scale,
-                      direct ? SurfaceSolver::Method::direct
-                             : SurfaceSolver::Method::conjugate_gradient);
+      choice == HeatSolver::direct ||
+      (choice == HeatSolver::automatic && !few_rounds && one.unknown_place.size() <= limit);
+  one.solver.set_base(
+      std::move(base), scale,
+      direct ? SurfaceSolver::Method::direct : SurfaceSolver::Method::conjugate_gradient);
 }
 
 template class HeatInShapes<1>;

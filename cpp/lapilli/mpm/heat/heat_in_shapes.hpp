@@ -75,7 +75,7 @@ class HeatInShapes final : public Physics, public HasSurface {
   StepLimit limit_;
   std::vector<SurfaceFound> found_;
   std::vector<Solved> solved_;
-  std::vector<std::size_t> part_of_;  // by body
+  std::vector<std::size_t> part_of_;     // by body
   double initial_ = 0.0, source_ = 0.0;  // J
 
   std::unique_ptr<PointArray> output_temperature_, output_flux_;  // made when first looked at

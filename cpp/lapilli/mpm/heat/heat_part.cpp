@@ -260,8 +260,7 @@ class Assembly {
         continue;
       }
       const Index place = part_.rows->place(node);
-      if (!part_.followers.follows(place) &&
-          part_.capacity[place] < 0.2 * least * volume[node]) {
+      if (!part_.followers.follows(place) && part_.capacity[place] < 0.2 * least * volume[node]) {
         return false;
       }
     }
@@ -287,8 +286,7 @@ class Assembly {
         for (const SurfacePiece<Dim>& piece : cut_[body].pieces[law]) {
           Vec3 normal = Vec3::Zero();
           normal.template head<Dim>() = piece.normal;
-          const double hold =
-              hold_factor * piece.normal.dot(k * piece.normal) / grid_.cell_size();
+          const double hold = hold_factor * piece.normal.dot(k * piece.normal) / grid_.cell_size();
           for (const auto& site : piece.quadrature()) {
             const auto row = static_cast<int>(sites.area.size());
             Vec3 position = Vec3::Zero();
@@ -364,16 +362,16 @@ std::vector<HeatPart<Dim>> make_parts(const Points& points, const HeatProblem<Di
   std::vector<HeatPart<Dim>> parts;
   with_shape(problem.shape, resting_half_width, [&](auto function) {
     for (auto& bodies : groups_of(touching)) {
-      parts.push_back(Assembly<Dim, decltype(function)>(points, problem, cut, std::move(bodies),
-                                                        function)
-                          .make(found));
+      parts.push_back(
+          Assembly<Dim, decltype(function)>(points, problem, cut, std::move(bodies), function)
+              .make(found));
     }
   });
   return parts;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                                \
-  template std::vector<HeatPart<Dim>> make_parts(const Points&, const HeatProblem<Dim>&,        \
+#define LAPILLI_INSTANTIATE(Dim)                                                         \
+  template std::vector<HeatPart<Dim>> make_parts(const Points&, const HeatProblem<Dim>&, \
                                                  std::vector<SurfaceFound>&);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

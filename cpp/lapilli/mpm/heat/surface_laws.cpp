@@ -95,9 +95,8 @@ bool SurfaceLaws::is_linear() const {
 bool SurfaceLaws::jumps_within(double from, double to) const {
   return std::any_of(laws_.begin(), laws_.end(), [&](const HeatBoundary& law) {
     const auto values = values_of(law);
-    return std::any_of(values.begin(), values.end(), [&](const Value* value) {
-      return lapilli::jumps_within(*value, from, to);
-    });
+    return std::any_of(values.begin(), values.end(),
+                       [&](const Value* value) { return lapilli::jumps_within(*value, from, to); });
   });
 }
 

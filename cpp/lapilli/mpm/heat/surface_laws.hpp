@@ -22,7 +22,8 @@ struct SurfaceSites {
   std::vector<double> slope;  // W/(m^2 K), -d rate/dT for the implicit side, not negative
 };
 
-/// What a law is where it is the same all over its surface: rate = coefficient (ambient - T) + flux.
+/// What a law is where it is the same all over its surface: rate = coefficient (ambient - T) +
+/// flux.
 struct UniformLaw {
   double coefficient = 0.0;  // W/(m^2 K)
   double ambient = 0.0;      // K
@@ -39,10 +40,10 @@ class SurfaceLaws {
   /// `zero` is absolute zero in the unit of the temperatures.
   explicit SurfaceLaws(std::vector<HeatBoundary> laws, double zero = 0.0);
 
-  /// Let prescribed temperatures take hold over the first steps of this size (s) after the start and
-  /// after every jump of their tables: by 0.3 % of the full coefficient, doubled from step to step.
-  /// Explicit conduction beside a surface that is held at once throws nodes 3 % of the jump out of
-  /// the range; so it throws none, and the heat of the start is nearer to the exact.
+  /// Let prescribed temperatures take hold over the first steps of this size (s) after the start
+  /// and after every jump of their tables: by 0.3 % of the full coefficient, doubled from step to
+  /// step. Explicit conduction beside a surface that is held at once throws nodes 3 % of the jump
+  /// out of the range; so it throws none, and the heat of the start is nearer to the exact.
   void take_hold_over(double step) { hold_step_ = step; }
 
   std::size_t size() const { return laws_.size(); }
