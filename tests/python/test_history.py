@@ -15,10 +15,10 @@ UNIT = lp.Thermal(density=1, specific_heat=1, conductivity=1)
 def plate(**changes: object) -> lp.Scene:
     """A plate at rest with a linear temperature: exact for every probe."""
     return lp.Scene(
-        grid=lp.Grid(lower=(0, 0), upper=(4, 2), cell=0.25),
+        grid=lp.Grid(lower=(0, 0), upper=(4, 4), cell=0.25),
         bodies=[
             lp.Body(
-                shape=lp.Box(lower=(0.5, 0.5), upper=(3.5, 1.5)),
+                shape=lp.Box(lower=(0.5, 0.5), upper=(3.5, 3.5)),
                 material=UNIT,
                 temperature=lambda x, s, t: 3 * x[:, 0] - x[:, 1],
             )
@@ -30,12 +30,12 @@ def plate(**changes: object) -> lp.Scene:
 
 
 def test_a_probe_reads_a_linear_field_exactly_wherever_it_is() -> None:
-    places = np.random.default_rng(4).uniform((0.5, 0.5), (3.5, 1.5), (40, 2))
+    places = np.random.default_rng(4).uniform((0.5, 0.5), (3.5, 3.5), (40, 2))
     probes = [lp.Probe(name=f"p{k}", position=place) for k, place in enumerate(places)]
     history = lp.run(plate(probes=probes), progress=False).history
     found = np.array([history[f"p{k}"][0] for k in range(len(places))])
     # at the points the projected start is linear but for the rims, whose points are averaged
-    inner = np.all(np.abs(places - (2, 1)) < (1.1, 0.1), axis=1)
+    inner = np.all(np.abs(places - 2) < 0.7, axis=1)
     assert inner.sum() >= 3
     np.testing.assert_allclose(found[inner], 3 * places[inner, 0] - places[inner, 1], rtol=1e-9)
 
@@ -74,14 +74,14 @@ def test_recording_changes_nothing() -> None:
 def test_a_resumed_run_has_the_history_of_one_that_was_not_stopped(tmp_path: Path) -> None:
     def scene(name: str, end: float) -> lp.Scene:
         made = ring_scene()
-        made.time = lp.Time(end=end, step=0.01)
-        made.output = lp.Output(path=str(tmp_path / name), every=0.05, history_every=0.03)
+        made.time = lp.Time(end=end, step=1 / 128)
+        made.output = lp.Output(path=str(tmp_path / name), every=1 / 16, history_every=3 / 128)
         made.probes = [lp.Probe(name="mid", position=(3, 0), every_steps=3)]
         return made
 
-    whole = lp.run(scene("whole.vtkhdf", 0.3), progress=False)
-    lp.run(scene("part.vtkhdf", 0.17), progress=False)
-    rest = lp.run(scene("part.vtkhdf", 0.3), progress=False, resume=True)
+    whole = lp.run(scene("whole.vtkhdf", 0.25), progress=False)
+    lp.run(scene("part.vtkhdf", 0.125), progress=False)
+    rest = lp.run(scene("part.vtkhdf", 0.25), progress=False, resume=True)
     assert rest.history.keys() == whole.history.keys()
     for name, values in whole.history.items():
         assert rest.history[name].tobytes() == values.tobytes(), name

@@ -70,7 +70,7 @@ def test_every_example_fits(name: str) -> None:
         ("cell = ", "cel = ", "cel is unknown"),
         ("cell = ", "cell = -", "too small"),
         ('kind = "annulus"', 'kind = "anulus"', "bodies"),
-        ("inner = 1", 'inner = "1"', "bodies"),
+        ("inner = 1.0", 'inner = "1"', "bodies"),
         ("[time]", "[tim]", "time is missing"),
     ],
 )

@@ -30,6 +30,7 @@ constexpr Known known_diagnostics[] = {
     {"condition_estimate", "", false, "ratio of the largest pivot to the smallest"},
     {"halvings", "", false, "times the last load step was halved"},
     {"deepest_penetration", "m", false, "depth of the deepest point behind a wall"},
+    {"largest_strain", "", false, "largest principal strain of any point, of either sign"},
     {"force_of_", "N", true, "force of a wall or support on the material, a component"},
     {"torque_of_", "N m", true, "torque of a wall or support on the material"},
     {"kinetic_energy", "J", true, "kinetic energy of the points"},

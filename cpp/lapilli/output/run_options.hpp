@@ -41,6 +41,8 @@ struct RunOptions {
   std::string scene_text;                         // TOML, for the record
   std::string settings;                           // all settings as a JSON object, for the record
   std::string fingerprint;                        // of the scene; empty: taken from scene_text
+  std::string identity;  // lines "key<tab>value" that say what a resume must find the same
+  std::vector<std::string> not_compared;          // settings that no resume can compare: functions
   std::function<void(const Progress&)> progress;  // at the start, ten times a second, at the end
   std::function<bool()> interrupted;              // asked after every step; true stops the run
 };

@@ -51,6 +51,14 @@ void write_steps(JsonWriter& json, const RunStatistics& statistics, const Simula
   json.member("peak_memory_bytes", peak_memory());
 }
 
+void write_texts(JsonWriter& json, const char* name, const std::vector<std::string>& texts) {
+  json.key(name).begin_array();
+  for (const std::string& text : texts) {
+    json.value(text);
+  }
+  json.end_array();
+}
+
 void write_ledger(JsonWriter& json, const Ledger& ledger) {
   json.begin_object();
   json.member("quantity", ledger.quantity);
@@ -156,6 +164,8 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
   json.member("lapilli", LAPILLI_VERSION);
   json.member("status", record.status);
   json.member("message", record.message);
+  write_texts(json, "notes", record.notes);
+  write_texts(json, "not_compared", record.not_compared);
   json.member("started", record.started);
   json.member("written", utc_now());
   json.member("compiler", compiler);

@@ -65,8 +65,6 @@ constexpr Rule rules[] = {
     {"bodies[].points_per_cell",
      [](const Scene& scene, std::size_t k) { return !scene.bodies[k].shape; },
      "the points are given"},
-    {"bodies[].clip", [](const Scene& scene, std::size_t k) { return !scene.bodies[k].shape; },
-     "the points are given"},
     {"bodies[].jitter", [](const Scene& scene, std::size_t k) { return !scene.bodies[k].shape; },
      "the points are given"},
     {"bodies[].random", [](const Scene& scene, std::size_t k) { return !scene.bodies[k].shape; },

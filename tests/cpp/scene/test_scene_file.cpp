@@ -129,7 +129,7 @@ TEST_CASE("all mistakes of a file are told at once, each with its line") {
 TEST_CASE("of many mistakes twenty are told, and how many more there are") {
   std::string bodies;
   for (int k = 0; k < 25; ++k) {
-    bodies += "[[bodies]]\nclip = 1\nmaterial = []\n";
+    bodies += "[[bodies]]\nrandom = 1\nmaterial = []\n";
   }
   const std::string all = error_of(replaced(ring, "[heat]\n", bodies + "[heat]\n"));
   CHECK(std::count(all.begin(), all.end(), '\n') == 20);

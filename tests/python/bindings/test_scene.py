@@ -161,7 +161,7 @@ def test_a_subclass_is_refused_not_sliced() -> None:
 
 def test_all_mistakes_of_a_text_are_told_at_once() -> None:
     text = "[grid]\nlower = [0]\nupper = 1\ncell = -1\n[[bodies]]\n[time]\nend = 0\n"
-    with pytest.raises(ValueError, match="four.toml:3:9: grid.upper") as caught:
+    with pytest.raises(ValueError, match=r"four\.toml:3:9: grid\.upper") as caught:
         lp.Scene.parse(text, "four.toml")
     lines = str(caught.value).splitlines()
     assert len(lines) == 4

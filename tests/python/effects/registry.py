@@ -41,7 +41,9 @@ EFFECTS: dict[str, Effect] = {
     "Body.points_per_cell": Effect(
         D, "bodies[0].points_per_cell", 4, 9, points, "x", 2.25, 0.1, steps=False
     ),
-    "Body.clip": Effect(v.box_plate, "bodies[0].clip", False, True, volume, "!=", steps=False),
+    "Body.fill": Effect(
+        v.box_plate, "bodies[0].fill", "lattice", "exact", volume, "!=", steps=False
+    ),
     "Body.jitter": Effect(D, "bodies[0].jitter", 0.0, 0.3, size("position"), "!=", steps=False),
     "Body.random": Effect(D, "bodies[0].random", False, True, size("position"), "!=", steps=False),
     "Body.seed": Effect(v.shaken_disk, "bodies[0].seed", 1, 2, size("position"), "!=", steps=False),
@@ -198,6 +200,9 @@ EFFECTS: dict[str, Effect] = {
     "QuasiStatic.ghost": Effect(P, "quasi_static.ghost", 0.01, 0.5, DISPLACEMENT, "!="),
     "QuasiStatic.body_force": Effect(
         P, "quasi_static.body_force", (0, 0), (0, -1e4), DISPLACEMENT, "!="
+    ),
+    "QuasiStatic.update_volumes": Effect(
+        P, "quasi_static.update_volumes", True, False, volume, "!="
     ),
     "ImplicitWall.displacement": Effect(
         P,

@@ -90,7 +90,6 @@ def pressed_block(**settings: object) -> lp.Scene:
         bodies=[
             lp.Body(
                 shape=lp.Box(lower=(0.1, 0.13), upper=(1.1, 1.17)),
-                clip=True,
                 material=lp.Elastic(density=1000, youngs_modulus=1e6, poissons_ratio=0.3),
             )
         ],

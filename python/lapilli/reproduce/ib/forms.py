@@ -91,7 +91,7 @@ def cost(scene: str, form: str) -> Cost:
         started = time.perf_counter()
         state = balance(prepared)
         seconds.append(time.perf_counter() - started)
-    return Cost(error(state), state.report["condition estimate"], min(seconds))
+    return Cost(error(state), state.report["condition_estimate"], min(seconds))
 
 
 def form_rows(scene: str, form: str) -> list[Row]:
