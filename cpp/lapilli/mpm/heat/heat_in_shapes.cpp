@@ -69,20 +69,33 @@ HeatInShapes<Dim>::HeatInShapes(Points& points, HeatProblem<Dim> problem)
 
 template <int Dim>
 void HeatInShapes<Dim>::bound_step() {
-  if (is_implicit()) {
-    limit_.reason = "the theta scheme has no limit";
-    return;
-  }
   double fastest = 0.0;
   for (const Solved& one : solved_) {
     fastest = std::max(fastest, fastest_rate(one.part));
   }
+  const double hard = fastest > 0.0 ? 2.0 / fastest : limit_.hard;
   if (fastest > 0.0) {
-    limit_.hard = 2.0 / fastest;
-    limit_.automatic = 0.6 * limit_.hard;
-    laws_.take_hold_over(limit_.automatic);
+    laws_.take_hold_over(0.6 * hard);
   }
+  if (is_implicit()) {
+    limit_.reason = "the theta scheme has no limit";
+    return;
+  }
+  limit_.hard = hard;
+  limit_.automatic = 0.6 * hard;
   limit_.reason = "explicit heat: largest eigenvalue of the nodal operator";
+}
+
+template <int Dim>
+StepLimit HeatInShapes<Dim>::step_limit() const {
+  // What has just begun goes as the root of the time: steps grow with the time since.
+  constexpr double smallest = 1.0 / 16.0, growth = 0.25;
+  StepLimit limit = limit_;
+  const double since = time_ - laws_.last_jump(time_);
+  if (!is_implicit() && !laws_.empty() && std::isfinite(limit.automatic)) {
+    limit.automatic *= std::clamp(growth * since / limit_.automatic, smallest, 1.0);
+  }
+  return limit;
 }
 
 template <int Dim>
@@ -110,6 +123,7 @@ StepReport HeatInShapes<Dim>::advance(const Step& step) {
     exchange_with_surroundings(one, step);
     finish(one);
   }
+  time_ = step.time + step.size;
   if (step.look || step.index % 128 == 0) {
     require_finite();
   }
