@@ -39,7 +39,6 @@ struct RunRecord {
   std::string started;                    // UTC, "2001-02-03T04:05:06Z"
   std::string frames_file;
   Index frames = 0;
-  std::vector<std::string> notes;  // settings that are allowed and seldom meant
   std::vector<BodyVolume> volumes;
   RunStatistics statistics;
 };
