@@ -183,11 +183,6 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
     write_body(json, body);
   }
   json.end_array();
-  json.key("notes").begin_array();
-  for (const std::string& note : record.notes) {
-    json.value(note);
-  }
-  json.end_array();
   write_history(json, history);
   json.member("fingerprint", record.fingerprint);
   json.key("settings").json(record.settings.empty() ? "null" : record.settings);
