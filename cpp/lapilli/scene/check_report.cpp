@@ -7,7 +7,7 @@
 #include "lapilli/scene/tree_writer.hpp"
 
 namespace lapilli {
-namespace {}
+namespace {
 
 Tree list_of(const std::vector<std::string>& words) {
   Tree::Array array;
