@@ -35,11 +35,10 @@ struct RunRecord {
   std::string settings;     // the scene with all defaults as a JSON object; may be empty
   std::string fingerprint;  // of the scene
   std::vector<std::string> not_compared;  // settings that no resume can compare: functions
+  std::vector<std::string> notes;         // what the user should know: "the index was made anew"
   std::string started;                    // UTC, "2001-02-03T04:05:06Z"
   std::string frames_file;
   Index frames = 0;
-  std::vector<std::string>
-      notes;  // what the user should know: settings without effect, an index made anew
   std::vector<BodyVolume> volumes;
   RunStatistics statistics;
 };
