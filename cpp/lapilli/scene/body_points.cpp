@@ -210,6 +210,9 @@ std::optional<Shape> placed_shape(const Body& body) {
   turned.degrees = body.rotation;
   turned.center = body.rotation_center;
   turned.axis = body.rotation_axis;
+  if (body.translation.empty()) {
+    return Shape(turned);
+  }
   Translated moved;
   moved.shape = Shape(turned);
   moved.by = body.translation;
