@@ -1,11 +1,14 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 
+#include "lapilli/core/interruption.hpp"
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/output/output_error.hpp"
@@ -22,7 +25,7 @@ namespace {
 
 using namespace lapilli;
 
-enum ExitCode { finished = 0, run_failed = 1, wrong_input = 2, disk_failed = 3, stopped = 130 };
+enum ExitCode { finished = 0, run_failed = 1, wrong_input = 2, disk_failed = 3, stopped_by = 128 };
 
 struct Arguments {
   std::string scene;
@@ -34,12 +37,41 @@ struct Arguments {
   bool json = false, schema = false;
 };
 
-volatile std::sig_atomic_t stop_asked = 0;
+volatile std::sig_atomic_t stop_asked = 0;  // by which signal
 
 // The first signal asks the run to stop after its step; a second one ends the process.
 void ask_to_stop(int signal) {
-  stop_asked = 1;
+  stop_asked = signal;
   std::signal(signal, SIG_DFL);
+}
+
+// A file beyond the limit is then an error of the write, which is reported like that of a full
+// disk.
+void heed_signals() {
+  std::signal(SIGXFSZ, SIG_IGN);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (std::signal(signal, ask_to_stop) == SIG_IGN) {
+      std::signal(signal, SIG_IGN);  // nohup, or a job in the background
+    }
+  }
+}
+
+struct Stopped : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+void stop_if_asked() {
+  if (stop_asked != 0) {
+    throw Stopped("stopped before the first step");
+  }
+}
+
+// What could not be printed is an error too: a list of keys that ends half way on a full disk.
+int flushed(int code) {
+  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0
+             ? code
+             : throw OutputError(
+                   message("cannot write to standard output: ", std::strerror(errno)));
 }
 
 // Threads that spin while they wait take the cores from whoever shares the machine; threads that
@@ -89,20 +121,21 @@ int run_scene(const Arguments& given) {
     std::fputs((given.json ? json_of(report) : text_of(report)).c_str(), stdout);
     return finished;
   }
-  const std::unique_ptr<Simulation> simulation = build(scene);
+  const std::unique_ptr<Simulation> simulation = [&] {
+    const Interruption interruption(stop_if_asked);
+    return build(scene);
+  }();
   ProgressLine line(given.quiet);
-  RunOptions options = run_options(scene);
+  RunOptions options = run_options(scene, simulation->points());
   options.resume = given.resume;
   options.progress = [&](const Progress& progress) { line.show(progress); };
   options.interrupted = [] { return stop_asked != 0; };
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
   const RunSummary summary = run(*simulation, options);
   line.finish();
   if (!given.quiet) {
     std::fputs(summary_text(*simulation, summary, scene.output.path).c_str(), stdout);
   }
-  return summary.status == RunStatus::finished ? finished : stopped;
+  return summary.status == RunStatus::finished ? finished : stopped_by + stop_asked;
 }
 
 int report(const std::exception& error, ExitCode code) {
@@ -114,6 +147,7 @@ int report(const std::exception& error, ExitCode code) {
 
 int main(int count, char** words) {
   spin_shortly(words);
+  heed_signals();
   CLI::App app("Runs a scene: heat and large deformation with particles.", "lapilli-run");
   Arguments given;
   define_arguments(app, given);
@@ -125,18 +159,20 @@ int main(int count, char** words) {
   try {
     if (given.keys) {
       std::fputs(keys_as_markdown().c_str(), stdout);
-      return finished;
+      return flushed(finished);
     }
     if (given.schema) {
       std::fputs(scene_schema().c_str(), stdout);
-      return finished;
+      return flushed(finished);
     }
     set_thread_count(given.threads);
-    return run_scene(given);
+    return flushed(run_scene(given));
   } catch (const std::invalid_argument& error) {
     return report(error, wrong_input);
   } catch (const OutputError& error) {
     return report(error, disk_failed);
+  } catch (const Stopped& error) {
+    return report(error, static_cast<ExitCode>(stopped_by + stop_asked));
   } catch (const std::exception& error) {
     return report(error, run_failed);
   }

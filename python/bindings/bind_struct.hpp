@@ -95,7 +95,9 @@ struct Convert<T> {
     if (!accepts(given)) {
       where.refuse("a " + type_name(), given);
     }
-    read(where.path(), given, member);
+    if (!TrustObjects::on()) {
+      read(where.path(), given, member);
+    }
   }
   /// Every member from the object's attributes; `owner` names it in messages.
   static void read(const std::string& owner, py::handle given, T& member) {
@@ -123,6 +125,7 @@ struct Convert<T> {
 template <class Member>
 py::object checked(const Where& where, py::handle given) {
   Member value{};
+  const TrustObjects trust;
   Convert<Member>::load(where, given, value);
   if constexpr (!Convert<Member>::keeps_object) {
     return Convert<Member>::show(where.key, value);

@@ -14,5 +14,6 @@ void bind_points(pybind11::module_& module);
 void bind_scene(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
 void bind_run(pybind11::module_& module);
+void bind_frames(pybind11::module_& module);
 
 }  // namespace lapilli::python

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -42,6 +43,24 @@ struct Where {
   std::string joined(const char* between) const {
     return owner.empty() ? key.name : owner + between + key.name;
   }
+};
+
+/// While one lives, objects of bound classes inside of what is read on this thread are taken as
+/// they are: they were checked when they were made. Else a nest of n shapes would be checked n^2 /
+/// 2 times.
+class TrustObjects {
+ public:
+  TrustObjects() : outer_(std::exchange(on(), true)) {}
+  ~TrustObjects() { on() = outer_; }
+  TrustObjects(const TrustObjects&) = delete;
+  TrustObjects& operator=(const TrustObjects&) = delete;
+  static bool& on() {
+    static thread_local bool trusted = false;
+    return trusted;
+  }
+
+ private:
+  bool outer_;
 };
 
 /// How a member of a described struct is read from Python, shown to Python and named in signatures.

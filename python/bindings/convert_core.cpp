@@ -1,9 +1,13 @@
 #include "convert_core.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace lapilli::python {
 namespace {
+
+thread_local FunctionCollector* collector = nullptr;
 
 /// A Python callable as an ArrayFunction: called, and let go of, with the GIL held, whichever
 /// thread does so.
@@ -16,7 +20,11 @@ class PythonFunction {
                     delete held;
                   }),
         key_(where.key),
-        path_(where.path()) {}
+        path_(where.path()) {
+    if (collector != nullptr) {
+      collector->functions.push_back(callable_);
+    }
+  }
 
   const py::object& callable() const { return *callable_; }
 
@@ -30,11 +38,13 @@ class PythonFunction {
     }
     const Numbers states(static_cast<py::ssize_t>(state.size()), state.data());
     const py::object given = call(places, states, time);
-    const auto answer = Numbers::ensure(given);
-    if (!answer) {
-      PyErr_Clear();
-      refuse(rows, std::string(py::repr(given)).substr(0, 80));
-    }
+    const Numbers answer = [&] {
+      try {
+        return numbers_from("it", given);
+      } catch (const py::type_error&) {
+        refuse(rows, std::string(py::repr(given)).substr(0, 80));
+      }
+    }();
     if (answer.ndim() == 0) {
       std::fill(values.begin(), values.end(), *answer.data());
     } else if (answer.ndim() == 1 && answer.shape(0) == rows) {
@@ -78,6 +88,29 @@ class PythonFunction {
 };
 
 }  // namespace
+
+FunctionCollector::FunctionCollector() : outer_(std::exchange(collector, this)) {}
+FunctionCollector::~FunctionCollector() { collector = outer_; }
+
+Numbers numbers_from(const std::string& what, py::handle given) {
+  const auto refuse = [&](const std::string& because) {
+    throw py::type_error(what + " must be numbers, got " + because);
+  };
+  const auto masked = py::module_::import("numpy.ma");
+  if (py::isinstance(given, masked.attr("MaskedArray")) &&
+      py::bool_(masked.attr("is_masked")(given))) {
+    refuse("an array with masked entries: fill or leave out what is masked");
+  }
+  const auto array = py::array::ensure(given);
+  if (!array) {
+    PyErr_Clear();
+    refuse(std::string(py::repr(given)).substr(0, 80));
+  }
+  if (std::string("biuf").find(array.dtype().kind()) == std::string::npos) {
+    refuse("an array of " + std::string(py::str(array.dtype())));
+  }
+  return Numbers::ensure(array);
+}
 
 void check_table(const Where& where, const Table& table) {
   const auto say = [&](const auto&... parts) {

@@ -1,10 +1,31 @@
 #pragma once
 
+#include <memory>
+
 #include "convert.hpp"
+#include "initialized.hpp"
 #include "lapilli/core/value.hpp"
 #include "lapilli/materials/symmetric_tensor.hpp"
 
 namespace lapilli::python {
+
+/// Any array or nest of lists that holds numbers, made contiguous. Texts, dates, complex numbers,
+/// objects and masked entries are a TypeError that begins with `what`: nothing is dropped.
+Numbers numbers_from(const std::string& what, py::handle given);
+
+/// Notes every function of Python that becomes part of a C++ struct on this thread while it lives.
+class FunctionCollector {
+ public:
+  FunctionCollector();
+  ~FunctionCollector();
+  FunctionCollector(const FunctionCollector&) = delete;
+  FunctionCollector& operator=(const FunctionCollector&) = delete;
+
+  std::vector<std::weak_ptr<py::object>> functions;
+
+ private:
+  FunctionCollector* outer_;
+};
 
 /// Throws std::invalid_argument unless times increase and every value is in the key's range.
 void check_table(const Where& where, const Table& table);
@@ -32,3 +53,10 @@ struct Convert<SymmetricTensor> {
 };
 
 }  // namespace lapilli::python
+
+namespace pybind11::detail {
+
+template <>
+class type_caster<lapilli::Table> : public lapilli::python::InitializedCaster<lapilli::Table> {};
+
+}  // namespace pybind11::detail

@@ -26,3 +26,11 @@ struct Extras<Scene> {
 Scene scene_of(const py::object& scene);
 
 }  // namespace lapilli::python
+
+namespace pybind11::detail {
+
+template <>
+class type_caster<lapilli::GivenPoints>
+    : public lapilli::python::InitializedCaster<lapilli::GivenPoints> {};
+
+}  // namespace pybind11::detail

@@ -3,7 +3,31 @@
 
 namespace lapilli::python {
 
+namespace {
+
+constexpr int deepest_nest = 200;  // of shapes; as deep as any file may go
+
+/// Counts how deep shapes lie in each other, so that one that contains itself comes to an end.
+class Nesting {
+ public:
+  explicit Nesting(const Where& where) {
+    require(depth_ < deepest_nest, where.owner, ": shapes are nested more than ", deepest_nest,
+            " deep; does one contain itself?");
+    ++depth_;
+  }
+  ~Nesting() { --depth_; }
+  Nesting(const Nesting&) = delete;
+  Nesting& operator=(const Nesting&) = delete;
+
+ private:
+  static thread_local int depth_;
+};
+thread_local int Nesting::depth_ = 0;
+
+}  // namespace
+
 void Convert<Shape>::load(const Where& where, py::handle given, Shape& member) {
+  const Nesting nesting(where);
   if (!load_alternative(where, given, static_cast<Shape::variant&>(member))) {
     where.refuse("a shape such as Box or Disk", given);
   }

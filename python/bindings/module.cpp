@@ -29,4 +29,5 @@ PYBIND11_MODULE(_core, module) {
   bind_scene(module);
   bind_simulation(module);
   bind_run(module);
+  bind_frames(module);
 }

@@ -38,13 +38,8 @@ void Convert<GivenPoints>::load(const Where& where, py::handle given, GivenPoint
   if (!PyTuple_Check(given.ptr()) || py::len(given) != 2) {
     where.refuse("a pair of arrays (positions, volumes)", given);
   }
-  const auto positions = Numbers::ensure(given[py::int_(0)]);
-  const auto volumes = Numbers::ensure(given[py::int_(1)]);
-  if (!positions || !volumes) {
-    PyErr_Clear();
-    where.refuse("a pair of arrays (positions, volumes)", given);
-  }
-  member = points_from(where.path(), positions, volumes);
+  member = points_from(where.path(), numbers_from(where.path() + ": positions", given[py::int_(0)]),
+                       numbers_from(where.path() + ": volumes", given[py::int_(1)]));
 }
 
 py::object Convert<GivenPoints>::show(const Key&, const GivenPoints& member) {
@@ -62,12 +57,13 @@ void bind_points(py::module_& module) {
                throw py::type_error("Points: " + unknown_name("key", std::string(py::str(name)),
                                                               {"positions", "volumes"}));
              }
-             const auto x = Numbers::ensure(positions), v = Numbers::ensure(volumes);
-             if (!x || !v) {
-               PyErr_Clear();
+             if (positions.is_none() || volumes.is_none()) {
                throw py::type_error("Points: needs two arrays of numbers, positions and volumes");
              }
-             return points_from("Points", x, v);
+             return points_from(
+                 "Points",
+                 numbers_from("Points: needs two arrays of numbers: positions", positions),
+                 numbers_from("Points: needs two arrays of numbers: volumes", volumes));
            }),
            py::arg("positions") = py::none(), py::arg("volumes") = py::none(),
            ("__init__" + self +

@@ -2,8 +2,10 @@
 
 #include "bindings.hpp"
 #include "convert_scene.hpp"
+#include "lapilli/core/interruption.hpp"
 #include "lapilli/output/merge.hpp"
 #include "lapilli/output/output_error.hpp"
+#include "lapilli/output/verify.hpp"
 #include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/check.hpp"
 #include "lapilli/scene/keys.hpp"
@@ -51,7 +53,7 @@ class StopFromPython {
 RunSummary run_scene(const py::object& simulation, const py::object& scene, bool resume,
                      const py::object& progress, const py::object& callback) {
   auto& held = simulation.cast<PythonSimulation&>();
-  RunOptions options = run_options(scene_of(scene));
+  RunOptions options = run_options(scene_of(scene), held.get().points());
   options.resume = resume;
   StopFromPython stop(simulation, callback);
   options.interrupted = [&] { return stop(); };
@@ -72,6 +74,13 @@ RunSummary run_scene(const py::object& simulation, const py::object& scene, bool
   return summary;
 }
 
+CheckReport checked_scene(const py::object& given) {
+  const Scene scene = scene_of(given);
+  const py::gil_scoped_release release;
+  const Interruption interruption(raise_signals);
+  return check(scene);
+}
+
 template <class Class, class Get>
 void property(py::class_<Class>& bound, const char* owner, const char* name, const char* type,
               const char* text, Get get) {
@@ -84,6 +93,7 @@ void property(py::class_<Class>& bound, const char* owner, const char* name, con
 void bind_progress(py::module_& module) {
   const char* owner = "Progress";
   py::class_<Progress> bound(module, owner, "How far a run has come.");
+  forbid_new(bound);
   using P = const Progress&;
   property(bound, owner, "fraction", "float", "of the time to simulate, 0 to 1",
            [](P p) { return p.fraction; });
@@ -125,6 +135,7 @@ py::dict columns_of(const RunSummary& summary) {
 void bind_summary(py::module_& module) {
   const char* owner = "RunSummary";
   py::class_<RunSummary> bound(module, owner, "What a run did.");
+  forbid_new(bound);
   using S = const RunSummary&;
   property(bound, owner, "finished", "bool", "whether it came to its end",
            [](S s) { return s.status == RunStatus::finished; });
@@ -174,11 +185,11 @@ void bind_run(py::module_& module) {
       "the scene and leave what its output section asks for. After Ctrl-C, or an error in the "
       "callback, the last frame and checkpoint are written before it is raised.");
   module.def(
-      "check_text", [](const py::object& scene) { return text_of(check(scene_of(scene))); },
+      "check_text", [](const py::object& scene) { return text_of(checked_scene(scene)); },
       py::arg("scene"),
       "check_text(scene: Scene) -> str\n\nWhat a scene models and costs, as lines of text.");
   module.def(
-      "check_json", [](const py::object& scene) { return json_of(check(scene_of(scene))); },
+      "check_json", [](const py::object& scene) { return json_of(checked_scene(scene)); },
       py::arg("scene"),
       "check_json(scene: Scene) -> str\n\nWhat a scene models and costs, as JSON.");
   module.def("keys_as_markdown", &keys_as_markdown, py::arg("section") = "",
@@ -208,10 +219,38 @@ void bind_run(py::module_& module) {
       "with the reason.");
   module.def(
       "merge",
-      [](const py::object& from, const py::object& to) { merge(file_name(from), file_name(to)); },
+      [](const py::object& from, const py::object& to) {
+        const std::string source = file_name(from), target = file_name(to);
+        const py::gil_scoped_release release;
+        const Interruption interruption(raise_signals);
+        merge(source, target);
+      },
       py::arg("from_path"), py::arg("to_path"),
       "merge(from_path: str | os.PathLike[str], to_path: str | os.PathLike[str]) -> "
       "None\n\nGather a series of frames into one self-contained file.");
+  module.def(
+      "verify",
+      [](const std::string& frames) {
+        const Verification found = [&] {
+          const py::gil_scoped_release release;
+          const Interruption interruption(raise_signals);
+          return verify(frames);
+        }();
+        return py::make_tuple(found.frames, found.whole_frames, found.damages);
+      },
+      py::arg("frames"),
+      "verify(frames: str) -> tuple[int, int, list[str]]\n\nFrames of a run or a merged file, "
+      "those "
+      "of which every number fits its checksum, and what is damaged, checkpoints too.");
+  module.def(
+      "rebuild_index",
+      [](const std::string& frames) {
+        const py::gil_scoped_release release;
+        return rebuild_index(frames);
+      },
+      py::arg("frames"),
+      "rebuild_index(frames: str) -> int\n\nMake a lost or damaged index anew from the data files "
+      "beside it; the number of frames.");
   module.def("cpu_seconds", &cpu_seconds,
              "cpu_seconds() -> float\n\nProcessor time used by this process.");
   module.def("peak_memory", &peak_memory,

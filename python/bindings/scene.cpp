@@ -9,6 +9,12 @@ namespace {
 
 constexpr const char* places_name = "_places";
 
+template <class Work>
+auto without_gil(const Work& work) {
+  const py::gil_scoped_release release;
+  return work();
+}
+
 py::object shown(const Scene& scene) { return Convert<Scene>::show(Key(""), scene); }
 
 void bind_places(py::module_& module) {
@@ -94,13 +100,17 @@ void bind_files(py::class_<Record<Scene>>& bound) {
   const std::string self = "(self: lapilli._core.Scene";
   bound
       .def_static(
-          "load", [](const py::object& path) { return shown(load_scene(file_name(path))); },
+          "load",
+          [](const py::object& path) {
+            const std::string name = file_name(path);
+            return shown(without_gil([&] { return load_scene(name); }));
+          },
           py::arg("path"),
           "load(path: str | os.PathLike[str]) -> Scene\n\nThe scene of a TOML file.")
       .def_static(
           "parse",
           [](const std::string& text, const std::string& name) {
-            return shown(parse_scene(text, name));
+            return shown(without_gil([&] { return parse_scene(text, name); }));
           },
           py::arg("text"), py::arg("name") = "scene",
           "parse(text: str, name: str = 'scene') -> Scene\n\nThe scene of a TOML text; messages "

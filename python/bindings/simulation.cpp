@@ -7,6 +7,7 @@
 #include "bindings.hpp"
 #include "convert_scene.hpp"
 #include "lapilli/core/diagnostics.hpp"
+#include "lapilli/core/interruption.hpp"
 #include "lapilli/mpm/surface_view.hpp"
 #include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
@@ -120,8 +121,33 @@ py::dict surface(PythonSimulation& simulation) {
   return all;
 }
 
+/// Null where `__init__` has not run; runs no code of Python, which may not be done here.
+PythonSimulation* collected(PyObject* self) {
+  auto held = reinterpret_cast<py::detail::instance*>(self)->get_value_and_holder();
+  return held.holder_constructed() ? held.value_ptr<PythonSimulation>() : nullptr;
+}
+
+/// Let Python's collector see the functions that a simulation holds.
+void collect_cycles(PyHeapTypeObject* heap_type) {
+  PyTypeObject& type = heap_type->ht_type;
+  type.tp_flags |= Py_TPFLAGS_HAVE_GC;
+  type.tp_traverse = [](PyObject* self, visitproc visit, void* arg) {
+    Py_VISIT(Py_TYPE(self));
+    const PythonSimulation* simulation = collected(self);
+    return simulation != nullptr ? simulation->visit_functions(visit, arg) : 0;
+  };
+  type.tp_clear = [](PyObject* self) {
+    if (PythonSimulation* simulation = collected(self)) {
+      simulation->let_go_of_functions();
+    }
+    return 0;
+  };
+}
+
 void bind_reports(py::module_& module) {
-  py::class_<StepReport>(module, "StepReport", "What one step did.")
+  py::class_<StepReport> bound(module, "StepReport", "What one step did.");
+  forbid_new(bound);
+  bound
       .def_property_readonly(
           "accepted",
           py::cpp_function([](const StepReport& report) { return report.accepted; },
@@ -163,6 +189,7 @@ void bind_ledger(py::module_& module) {
   py::class_<Ledger> bound(
       module, "Ledger",
       "The account of one conserved quantity: what was there, what came in, what is there now.");
+  forbid_new(bound);
   const auto number = [&](const char* name, auto get, const char* text) {
     bound.def_property_readonly(name, py::cpp_function(get, (name + self + " -> float").c_str()),
                                 text);
@@ -216,15 +243,19 @@ void bind_simulation(py::module_& module) {
   bind_ledger(module);
   const std::string self = "(self: lapilli._core.Simulation";
   const std::string array = " -> numpy.typing.NDArray[typing.Any]";
-  py::class_<PythonSimulation> bound(module, "Simulation",
+  py::class_<PythonSimulation> bound(module, "Simulation", py::custom_type_setup(&collect_cycles),
                                      "A clock, the points and an ordered list of physics, built "
                                      "from a scene. Stepping releases the GIL.");
+  forbid_copies(bound, "build another one from its scene");
   bound
       .def(py::init([](const py::object& given) {
+             FunctionCollector collector;
              Scene scene = scene_of(given);
              const py::gil_scoped_release release;
+             const Interruption interruption(raise_signals);
              auto built = build(scene);
-             return std::make_unique<PythonSimulation>(std::move(built), std::move(scene));
+             return std::make_unique<PythonSimulation>(std::move(built), std::move(scene),
+                                                       std::move(collector.functions));
            }),
            py::arg("scene"), ("__init__" + self + ", scene: Scene) -> None").c_str())
       .def(

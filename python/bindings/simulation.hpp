@@ -2,11 +2,12 @@
 
 #include <pybind11/pybind11.h>
 
-#include <atomic>
 #include <chrono>
 #include <memory>
 #include <thread>
+#include <vector>
 
+#include "initialized.hpp"
 #include "lapilli/core/simulation.hpp"
 #include "lapilli/scene/scene.hpp"
 
@@ -24,11 +25,19 @@ class SignalCheck {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+/// Asks Python for signals without a pause of its own; see `Interruption`.
+void raise_signals();
+
+/// The functions of Python that a scene holds, each as the one reference that its C++ side has.
+using HeldFunctions = std::vector<std::weak_ptr<py::object>>;
+
 /// A simulation held by Python. One thread at a time may step it or look at it.
 class PythonSimulation {
  public:
-  PythonSimulation(std::unique_ptr<Simulation> simulation, Scene scene)
-      : simulation_(std::move(simulation)), scene_(std::move(scene)) {
+  PythonSimulation(std::unique_ptr<Simulation> simulation, Scene scene, HeldFunctions functions)
+      : simulation_(std::move(simulation)),
+        scene_(std::move(scene)),
+        functions_(std::move(functions)) {
     for (Body& body : scene_.bodies) {
       body.points.reset();  // the simulation holds them
     }
@@ -42,6 +51,10 @@ class PythonSimulation {
 
   StepReport step();
   void run_until(const py::object& self, double time, const py::object& callback);
+
+  /// For Python's collector of cycles: a function may hold the simulation that calls it.
+  int visit_functions(visitproc visit, void* argument) const;
+  void let_go_of_functions();
 
   /// Marks the simulation as stepped by this thread for as long as it lives. Throws RuntimeError
   /// when it is being stepped already.
@@ -59,7 +72,16 @@ class PythonSimulation {
  private:
   std::unique_ptr<Simulation> simulation_;
   Scene scene_;
+  HeldFunctions functions_;
   std::thread::id stepped_by_;  // read and written with the GIL held
 };
 
 }  // namespace lapilli::python
+
+namespace pybind11::detail {
+
+template <>
+class type_caster<lapilli::python::PythonSimulation>
+    : public lapilli::python::InitializedCaster<lapilli::python::PythonSimulation> {};
+
+}  // namespace pybind11::detail

@@ -8,9 +8,32 @@ void SignalCheck::operator()() {
     return;
   }
   last_ = now;
+  raise_signals();
+}
+
+void raise_signals() {
   const py::gil_scoped_acquire gil;
   if (PyErr_CheckSignals() != 0) {
     throw py::error_already_set();
+  }
+}
+
+int PythonSimulation::visit_functions(visitproc visit, void* argument) const {
+  for (const std::weak_ptr<py::object>& function : functions_) {
+    if (const std::shared_ptr<py::object> held = function.lock()) {
+      if (const int stopped = visit(held->ptr(), argument)) {
+        return stopped;
+      }
+    }
+  }
+  return 0;
+}
+
+void PythonSimulation::let_go_of_functions() {
+  for (const std::weak_ptr<py::object>& function : functions_) {
+    if (const std::shared_ptr<py::object> held = function.lock()) {
+      *held = py::none();
+    }
   }
 }
 

@@ -1,10 +1,11 @@
-"""The command line: lapilli run, check, plot, merge, keys, schema, examples, reproduce, tradeoff,
+"""Commands: lapilli run, check, plot, merge, verify, keys, schema, examples, reproduce, tradeoff,
 extremes."""
 
 from __future__ import annotations
 
 import argparse
 import difflib
+import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,8 +13,10 @@ from typing import NoReturn
 
 from lapilli import _core
 from lapilli._core import OutputError, RunError, Scene
+from lapilli.mistakes import is_disk_failure, is_utf8
+from lapilli.signals import Signalled, stopped_by_signals
 
-FINISHED, RUN_FAILED, WRONG_INPUT, DISK_FAILED, BAR_MISSED, STOPPED = 0, 1, 2, 3, 4, 130
+FINISHED, RUN_FAILED, WRONG_INPUT, DISK_FAILED, BAR_MISSED, SIGNALLED = 0, 1, 2, 3, 4, 128
 
 
 def main(words: Sequence[str] | None = None) -> int:
@@ -22,12 +25,17 @@ def main(words: Sequence[str] | None = None) -> int:
     top = parser()
     require_known_command(top, words)
     given = top.parse_args(words)
+    for text in vars(given).values():
+        if isinstance(text, str) and not is_utf8(text):
+            return report(ValueError(f"{text!a} is a name that is no UTF-8"), WRONG_INPUT)
     try:
-        code: int = given.command(given)
+        with stopped_by_signals():
+            code: int = given.command(given)
+        sys.stdout.flush()
         return code
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as error:
         print("\nlapilli: stopped", file=sys.stderr)
-        return STOPPED
+        return SIGNALLED + (error.number if isinstance(error, Signalled) else signal.SIGINT)
     except BrokenPipeError:
         sys.stderr.close()
         return FINISHED
@@ -35,8 +43,10 @@ def main(words: Sequence[str] | None = None) -> int:
         return report(error, DISK_FAILED)
     except RunError as error:
         return report(error, RUN_FAILED)
+    except MemoryError as error:
+        return report(error, RUN_FAILED)
     except (ValueError, OSError) as error:
-        return report(error, WRONG_INPUT)
+        return report(error, DISK_FAILED if is_disk_failure(error) else WRONG_INPUT)
 
 
 def require_known_command(top: Parser, words: Sequence[str]) -> None:
@@ -98,6 +108,13 @@ def parser() -> argparse.ArgumentParser:
     merge.add_argument("frames", help="frames (.vtkhdf)")
     merge.add_argument("target", help="the one file (.vtkhdf)")
     merge.set_defaults(command=merge_command)
+
+    verify = commands.add_parser("verify", help="compare the files of a run with their checksums")
+    verify.add_argument("frames", help="frames (.vtkhdf)")
+    verify.add_argument(
+        "--rebuild", action="store_true", help="make a lost index anew from the data files first"
+    )
+    verify.set_defaults(command=verify_command)
 
     keys = commands.add_parser("keys", help="list the keys of a scene file")
     keys.add_argument(
@@ -265,6 +282,17 @@ def merge_command(given: argparse.Namespace) -> int:
     _core.merge(given.frames, given.target)
     print(f"wrote {given.target}")
     return FINISHED
+
+
+def verify_command(given: argparse.Namespace) -> int:
+    """lapilli verify"""
+    if given.rebuild:
+        print(f"made the index anew, with {_core.rebuild_index(given.frames)} frames")
+    frames, whole, damages = _core.verify(given.frames)
+    for damage in damages:
+        print(damage)
+    print(f"{whole} of {frames} frames are whole" + ("" if damages else "; no damage found"))
+    return DISK_FAILED if damages else FINISHED
 
 
 def keys_command(given: argparse.Namespace) -> int:

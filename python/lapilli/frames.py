@@ -1,4 +1,4 @@
-"""Read the frames of a run with h5py: index and data files, or a merged file."""
+"""Read the frames of a run: index and data files, or a merged file."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 import numpy.typing as npt
 
+from lapilli import _core
 from lapilli._core import Scene
 from lapilli.part import Part, names_of
 
@@ -19,10 +19,10 @@ Array = npt.NDArray[Any]
 
 
 class Frame:
-    """The state at one time. Arrays are read when asked for."""
+    """The state at one time. Arrays are read, and compared with their checksums, when asked for."""
 
-    def __init__(self, path: Path, number: int, time: float) -> None:
-        self._path = path
+    def __init__(self, frames: Frames, number: int, time: float) -> None:
+        self._frames = frames
         self.number = number
         self.time = time
 
@@ -30,7 +30,10 @@ class Frame:
         return f"<frame {self.number} at {self.time:g} s>"
 
     def __getitem__(self, name: str) -> Array:
-        """A field, one row a point in the order of the points' ids."""
+        """A field, one row a point in the order of the points' ids.
+
+        Raises ``OutputError`` naming file, frame and field when it is damaged or missing.
+        """
         return self._read(name)
 
     @property
@@ -41,28 +44,19 @@ class Frame:
     def body(self, which: int | str) -> Part:
         """The points of one body or fluid wall, by its number (bodies first, from 0) or by the name
         that the run record beside the frames gives it."""
-        record = self._path.with_suffix(".json")
+        record = self._frames.path.with_suffix(".json")
         if isinstance(which, int) and not record.is_file():
             return Part(self._read, which, [""] * (which + 1))
-        return Part(self._read, which, names_of(Scene.parse(json.loads(record.read_text())["scene"])))
+        scene = Scene.parse(json.loads(record.read_text())["scene"])
+        return Part(self._read, which, names_of(scene))
 
     def _read(self, name: str) -> Array:
-        with h5py.File(self._path, "r", locking=False) as file:
-            root = file["VTKHDF"]
-            steps = root["Steps"]
-            rows = int(root["NumberOfPoints"][int(steps["PartOffsets"][self.number])])
-            if name == "position":
-                values, first = root["Points"], int(steps["PointOffsets"][self.number])
-            else:
-                if name not in root["PointData"]:
-                    raise KeyError(
-                        f"no field {name!r} in {self._path}; there is: "
-                        + ", ".join(root["PointData"])
-                    )
-                values = root["PointData"][name]
-                first = int(steps["PointDataOffsets"][name][self.number])
-            array: Array = values[first : first + rows]
-            return array
+        if name != "position" and name not in self._frames.fields:
+            raise KeyError(
+                f"no field {name!r} in {self._frames.path}; there is: "
+                + ", ".join(self._frames.fields)
+            )
+        return self._frames.reader.read(self.number, name)
 
 
 class Frames:
@@ -72,12 +66,12 @@ class Frames:
         self.path = Path(path)
         if not self.path.is_file():
             raise FileNotFoundError(f"{self.path}: no such file")
-        try:
-            with h5py.File(self.path, "r", locking=False) as file:
-                self.times: npt.NDArray[np.float64] = file["VTKHDF/Steps/Values"][:]
-                self.fields: list[str] = sorted(file["VTKHDF/PointData"])
-        except (OSError, KeyError) as error:
-            raise ValueError(f"{self.path} holds no frames of lapilli ({error})") from error
+        self.reader = _core.FrameReader(os.fspath(self.path))
+        self.times: npt.NDArray[np.float64] = np.array(self.reader.times)
+        self.fields: list[str] = sorted(self.reader.fields)
+
+    def __reduce__(self) -> tuple[type[Frames], tuple[Path]]:
+        return Frames, (self.path,)
 
     def __len__(self) -> int:
         return len(self.times)
@@ -87,7 +81,7 @@ class Frames:
 
     def __getitem__(self, number: int) -> Frame:
         index = range(len(self))[number]
-        return Frame(self.path, index, float(self.times[index]))
+        return Frame(self, index, float(self.times[index]))
 
     def __iter__(self) -> Iterator[Frame]:
         return (self[number] for number in range(len(self)))

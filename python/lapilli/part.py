@@ -25,7 +25,9 @@ class Part:
     Arrays are copies in the order of the points' ids.
     """
 
-    def __init__(self, read: Callable[[str], Array], which: int | str, names: Sequence[str]) -> None:
+    def __init__(
+        self, read: Callable[[str], Array], which: int | str, names: Sequence[str]
+    ) -> None:
         self._read = read
         self.number = _number(which, names)
         self.rows: npt.NDArray[np.bool_] = read("body") == self.number

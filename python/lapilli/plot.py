@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from lapilli.frames import Frame, Frames
+from lapilli.whole_file import whole_file
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -99,7 +100,8 @@ def draw(
     if hasattr(drawn, "cmap"):
         figure.colorbar(drawn, ax=axes)
     if save is not None:
-        figure.savefig(save, dpi=150)
+        with whole_file(save) as written:
+            figure.savefig(written, dpi=150)
     plt.close(figure)
     return figure
 
@@ -130,10 +132,11 @@ def animate(
         return [draw_frame(axes, frames[number], field, limits)]
 
     animation = FuncAnimation(figure, show, frames=len(frames))
-    if save.suffix.lower() == ".gif":
-        animation.save(save, writer=PillowWriter(fps=frames_per_second))
-    else:
-        animation.save(save, fps=frames_per_second)
+    with whole_file(save) as written:
+        if save.suffix.lower() == ".gif":
+            animation.save(written, writer=PillowWriter(fps=frames_per_second))
+        else:
+            animation.save(written, fps=frames_per_second)
     plt.close(figure)
 
 

@@ -27,8 +27,9 @@ class Result:
     """What a run left: the last state, the account of what it conserves, its record and frames.
 
     ``result["temperature"]`` is a read-only view of the last state in the present order of the
-    points; ``result.by_id("temperature")`` is a copy in the order of their ids. Both hold all points,
-    those of fluid walls too; ``result.body("air")["temperature"]`` holds those of one body.
+    points; ``result.by_id("temperature")`` is a copy in the order of their ids. Both hold all
+    points, those of fluid walls too; ``result.body("air")["temperature"]`` holds those of one
+    body.
     ``result.history`` holds what was recorded in time.
     """
 

@@ -201,3 +201,25 @@ def test_walls_carry_the_weight_in_any_number_of_steps(steps: int, reset: float)
     force = sum(state.wall_force(wall) for wall in ("left", "right", "base"))
     weight = column.WEIGHT * column.SIZE**2 * Frame(20).e2
     np.testing.assert_allclose(force, weight, rtol=0, atol=1e-9 * np.linalg.norm(weight))
+
+
+@pytest.mark.parametrize(("steps", "every"), [(1, 0.5), (3, 0.25), (4, 0.1)])
+def test_frames_do_not_change_results(steps: int, every: float, tmp_path: Path) -> None:
+    """A load step is not cut where a frame is due: the frame follows at its end."""
+    scene = lp.Scene.load(str(EXAMPLES[0].parent / "beam.toml")).set(f"time.steps={steps}")
+    plain = lp.run(scene, tmp_path / "plain.vtkhdf", progress=False)
+    framed = lp.run(scene, tmp_path / "framed.vtkhdf", every, progress=False)
+    for name in ("position", "stress", "displacement"):
+        np.testing.assert_array_equal(framed[name], plain[name])
+    assert framed.simulation.step_index == steps
+    ends = np.linspace(0, 1, steps + 1)
+    np.testing.assert_allclose(lp.Frames(tmp_path / "framed.vtkhdf").times, ends, atol=1e-12)
+
+
+def test_large_strains_are_warned_of(tmp_path: Path) -> None:
+    scene = block.block_scene(0, 0.02)
+    small = lp.run(scene, tmp_path / "small.vtkhdf", progress=False)
+    assert small.warnings == []
+    section(scene).walls[-1].displacement = ramp([0.004, 0.0])
+    large = lp.run(scene, tmp_path / "large.vtkhdf", progress=False)
+    assert "the largest strain is 0.04" in large.warnings[0]

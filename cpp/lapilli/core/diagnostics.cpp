@@ -21,6 +21,7 @@ struct Known {
 
 constexpr Known known_diagnostics[] = {
     {"surface_area", "m^2", true, "area of the surface that boundary conditions act on"},
+    {"free_surface_area", "m^2", true, "area of all free surface of the bodies' shapes"},
     {"negative_area_share", "", false, "share of negative nodal areas in the surface"},
     {"iterations", "", false, "iterations of the last solve"},
     {"residual", "", false, "relative residual of the last solve"},
@@ -29,6 +30,7 @@ constexpr Known known_diagnostics[] = {
     {"condition_estimate", "", false, "ratio of the largest pivot to the smallest"},
     {"halvings", "", false, "times the last load step was halved"},
     {"deepest_penetration", "m", false, "depth of the deepest point behind a wall"},
+    {"largest_strain", "", false, "largest principal strain of any point, of either sign"},
     {"force_of_", "N", true, "force of a wall or support on the material, a component"},
     {"torque_of_", "N m", true, "torque of a wall or support on the material"},
     {"kinetic_energy", "J", true, "kinetic energy of the points"},

@@ -1,5 +1,7 @@
 #include "lapilli/core/parallel.hpp"
 
+#include <pthread.h>
+
 #include <atomic>
 
 #include "lapilli/core/require.hpp"
@@ -8,6 +10,14 @@ namespace lapilli {
 namespace {
 
 std::atomic<int> chosen_threads{0};
+std::atomic<bool> had_threads{false};  // whether a loop may have had more than one
+std::atomic<bool> has_lost_threads{false};
+
+// A forked process has one thread. The OpenMP library would wait for ever for the others that its
+// parent had.
+[[maybe_unused]] const int at_fork = pthread_atfork(nullptr, nullptr, [] {
+  has_lost_threads.store(had_threads.load(std::memory_order_relaxed), std::memory_order_relaxed);
+});
 
 int processors() {
 #ifdef _OPENMP
@@ -20,8 +30,15 @@ int processors() {
 }  // namespace
 
 int thread_count() {
+  if (has_lost_threads.load(std::memory_order_relaxed)) {
+    return 1;
+  }
   const int chosen = chosen_threads.load(std::memory_order_relaxed);
-  return chosen > 0 ? chosen : processors();
+  const int threads = chosen > 0 ? chosen : processors();
+  if (threads > 1) {
+    had_threads.store(true, std::memory_order_relaxed);
+  }
+  return threads;
 }
 
 void set_thread_count(int threads) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/core/memory.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/step_refused.hpp"
 
@@ -52,7 +53,15 @@ double Simulation::next_step_size() const {
   return size;
 }
 
+void Simulation::require_whole() const {
+  if (!failure_.empty()) {
+    throw RunError("this simulation cannot go on, its last step failed half way (" + failure_ +
+                   "): build it anew, or resume from its checkpoint");
+  }
+}
+
 StepReport Simulation::step(double until, bool look) {
+  require_whole();
   double size = next_step_size();
   const double left = until - time_;
   // A remainder below a millionth of a step is rounding, not a step of its own.
@@ -81,9 +90,17 @@ StepReport Simulation::advance(double size, bool look) {
     if (physics_.size() == 1) {
       throw StepRefused(reason);
     }
+    failure_ = reason;
     throw RunError(reason);  // another physics has taken the step
   } catch (const RunError& error) {
-    throw RunError(message("step ", index_, ", time ", time_, " s: ", error.what()));
+    failure_ = message("step ", index_, ", time ", time_, " s: ", error.what());
+    throw RunError(failure_);
+  } catch (const std::bad_alloc&) {
+    failure_ = message("step ", index_, ", time ", time_, " s: no memory");
+    explain_no_memory("take a step");
+  } catch (const std::exception& error) {
+    failure_ = message("step ", index_, ", time ", time_, " s: ", error.what());
+    throw;
   }
   time_ += total.accepted;
   ++index_;
@@ -146,6 +163,7 @@ void Simulation::save(Archive& archive) const {
 }
 
 void Simulation::load(const Archive& archive) {
+  failure_ = "a checkpoint was not read to its end";
   time_ = archive.read_number("clock/time");
   index_ = archive.read_index("clock/index");
   largest_ = archive.read_numbers("clock/largest_balance");
@@ -153,6 +171,7 @@ void Simulation::load(const Archive& archive) {
   for (const auto& physics : physics_) {
     physics->load(archive);
   }
+  failure_.clear();
 }
 
 }  // namespace lapilli

@@ -35,9 +35,10 @@ class Simulation {
   /// limit and its reason.
   double next_step_size() const;
 
-  /// One step, cut so as not to pass `until`. Throws RunError with step and time when it fails.
-  /// `look`: whether somebody may look at the fields afterwards even short of `until`; without it a
-  /// physics may leave point values for output stale.
+  /// One step, cut so as not to pass `until`. Throws RunError with step and time when it fails;
+  /// after a failure that left fields half evolved every further step throws it again. `look`:
+  /// whether somebody may look at the fields afterwards even short of `until`; without it a physics
+  /// may leave point values for output stale.
   StepReport step(double until = std::numeric_limits<double>::infinity(), bool look = true);
 
   /// Step until `time`, exactly; `after_step` may return false to stop early.
@@ -52,6 +53,7 @@ class Simulation {
 
  private:
   StepReport advance(double size, bool look);
+  void require_whole() const;
   /// Remember the largest amount that every balance has seen.
   void watch_balances();
 
@@ -60,6 +62,7 @@ class Simulation {
   Clock clock_;
   double time_ = 0.0;
   Index index_ = 0;
+  std::string failure_;  // why the fields are half evolved; empty: they are whole
   std::vector<double> largest_;  // by ledger
 };
 

@@ -1,5 +1,6 @@
 #include "lapilli/geometry/image_parts.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 

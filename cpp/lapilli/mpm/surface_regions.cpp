@@ -118,6 +118,28 @@ class Division {
   std::span<const Shape* const> regions_;
 };
 
+/// One flag a cell: whether a point in it can touch one of the nodes.
+template <int Dim>
+std::vector<unsigned char> cells_near(const Grid<Dim>& grid, std::span<const Index> nodes) {
+  constexpr int across = 4;  // cells from two below a node to one above
+  constexpr int block = Dim == 1 ? across : Dim == 2 ? across * across : across * across * across;
+  std::vector<unsigned char> near(static_cast<std::size_t>(grid.cell_count()), 0);
+  for (const Index node : nodes) {
+    for (int k = 0; k < block; ++k) {
+      auto cell = grid.node_at(node);
+      bool inside = true;
+      for (int axis = 0, rest = k; axis < Dim; ++axis, rest /= across) {
+        cell[axis] += rest % across - 2;
+        inside = inside && cell[axis] >= 0 && cell[axis] < grid.cells(axis);
+      }
+      if (inside) {
+        near[grid.cell_index(cell)] = 1;
+      }
+    }
+  }
+  return near;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -132,8 +154,12 @@ std::vector<SurfacePlace<Dim>> surface_places(const Grid<Dim>& grid, const Point
   }
   std::vector<Mat<Dim>> moment(count, Mat<Dim>::Zero());
   std::vector<Vec<Dim>> vector(count, Vec<Dim>::Zero());
+  const std::vector<unsigned char> near = cells_near<Dim>(grid, areas.node);
   for (Index point = 0; point < points.size(); ++point) {
     const Vec<Dim> x = points.position<Dim>(point);
+    if (near[grid.cell_index(grid.cell_containing(x))] == 0) {
+      continue;
+    }
     const double volume = points.volume()[point];
     with_shape(shape, half_width[points.body()[point]], [&](auto chosen) {
       const Weights<Dim, decltype(chosen)> weights(grid, chosen, x.data());

@@ -1,20 +1,24 @@
 #include "lapilli/output/checkpoint.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
+#include <map>
+#include <sstream>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/output/checksum.hpp"
 #include "lapilli/output/file.hpp"
+#include "lapilli/output/output_error.hpp"
 
 namespace lapilli {
 namespace {
 
 using Word = std::uint64_t;
 
-constexpr Word mark = 0x6b6368696c70616c;  // "lapilchk" read as one little-endian word
-constexpr Word version = 1;
+constexpr Word mark = checkpoint_mark;
+constexpr Word version = 2;
 constexpr std::size_t head_words = 4;  // mark, version, words of content, checksum
 enum Kind : Word { numbers, indices, text };
 
@@ -95,14 +99,6 @@ Archive::Array read_array(WordReader& from) {
   }
 }
 
-Word checksum_of(std::span<const Word> words) {
-  Checksum sum;
-  for (const Word word : words) {
-    sum.add(word);
-  }
-  return sum.value();
-}
-
 std::vector<Word> read_words(const File& file) {
   const auto bytes = static_cast<std::size_t>(file.size());
   std::vector<Word> words(bytes / 8);
@@ -121,6 +117,7 @@ std::vector<Word> read_words(const File& file) {
 Checkpoint parse(WordReader from) {
   Checkpoint checkpoint;
   checkpoint.fingerprint = from.characters();
+  checkpoint.identity = from.characters();
   for (Word left = from.word(); left > 0; --left) {
     const std::string name = from.characters();
     checkpoint.state.insert(name, read_array(from));
@@ -129,11 +126,73 @@ Checkpoint parse(WordReader from) {
   return checkpoint;
 }
 
+std::map<std::string, std::string> settings_of(const std::string& identity) {
+  std::map<std::string, std::string> settings;
+  std::istringstream lines(identity);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t tab = line.find('\t');
+    settings[line.substr(0, tab)] = tab == std::string::npos ? "" : line.substr(tab + 1);
+  }
+  return settings;
+}
+
+/// "grid.cell was 0.1 and is 0.05; time.step is new"
+std::string differences(const std::string& before, const std::string& now) {
+  constexpr int most_named = 8;
+  const auto was = settings_of(before), is = settings_of(now);
+  std::map<std::string, std::string> keys = was;
+  keys.insert(is.begin(), is.end());
+  std::string text;
+  int count = 0;
+  for (const auto& [key, value] : keys) {
+    const auto old = was.find(key), given = is.find(key);
+    if (old != was.end() && given != is.end() && old->second == given->second) {
+      continue;
+    }
+    if (++count > most_named) {
+      return text + "; and more";
+    }
+    text += (text.empty() ? "" : "; ") + key;
+    text += old == was.end()    ? " is new: " + given->second
+            : given == is.end() ? " is gone, it was " + old->second
+                                : " was " + old->second + " and is " + given->second;
+  }
+  return text.empty() ? "its settings are not known one by one" : text;
+}
+
+bool begins_with(const std::filesystem::path& path, std::span<const Word> head) {
+  try {
+    std::vector<Word> found(head.size());
+    File(path, File::Mode::read).read_at(0, std::as_writable_bytes(std::span(found)));
+    return std::equal(head.begin(), head.end(), found.begin());
+  } catch (const OutputError&) {
+    return false;
+  }
+}
+
+/// The checkpoint of now becomes the one before, and stays in place until a new one replaces it.
+/// One of the same state, as a run resumed at its end writes, is none before.
+void keep_as_previous(const std::filesystem::path& path, std::span<const Word> new_head) {
+  std::error_code error;
+  if (begins_with(path, new_head)) {
+    return;
+  }
+  const std::filesystem::path previous = with_ending(path, ".previous");
+  std::filesystem::remove(previous, error);
+  std::filesystem::create_hard_link(path, previous, error);
+}
+
 }  // namespace
+
+std::array<std::filesystem::path, 2> checkpoint_paths(const std::filesystem::path& output) {
+  const auto newest = std::filesystem::path(output).replace_extension(".checkpoint");
+  return {newest, with_ending(newest, ".previous")};
+}
 
 void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   WordWriter content;
   content.put(checkpoint.fingerprint);
+  content.put(checkpoint.identity);
   content.put(checkpoint.state.arrays().size());
   for (const auto& [name, array] : checkpoint.state.arrays()) {
     content.put(name);
@@ -144,6 +203,7 @@ void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkp
   AtomicFile file(path);
   file.append(std::as_bytes(std::span(head)));
   file.append(std::as_bytes(std::span(content.words())));
+  keep_as_previous(path, head);
   file.commit();
 }
 
@@ -159,10 +219,9 @@ Checkpoint load_checkpoint(const std::filesystem::path& path) {
 }
 
 void require_same_scene(const Checkpoint& checkpoint, const std::string& fingerprint,
-                        const std::filesystem::path& path) {
+                        const std::string& identity, const std::filesystem::path& path) {
   require(checkpoint.fingerprint == fingerprint, "cannot use checkpoint '", path.string(),
-          "': it belongs to another scene (fingerprint ", checkpoint.fingerprint, ", this one has ",
-          fingerprint, ")");
+          "': it belongs to another scene; ", differences(checkpoint.identity, identity));
 }
 
 }  // namespace lapilli

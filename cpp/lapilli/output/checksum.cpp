@@ -15,6 +15,26 @@ void Checksum::add(std::span<const std::byte> bytes) {
   }
 }
 
+std::uint64_t checksum_of(std::span<const std::uint64_t> words) {
+  constexpr std::size_t lanes = 4;
+  Checksum sums[lanes];
+  std::size_t k = 0;
+  for (; k + lanes <= words.size(); k += lanes) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      sums[lane].add(words[k + lane]);
+    }
+  }
+  Checksum all;
+  all.add(words.size());
+  for (const Checksum& sum : sums) {
+    all.add(sum.value());
+  }
+  for (; k < words.size(); ++k) {
+    all.add(words[k]);
+  }
+  return all.value();
+}
+
 std::string fingerprint(std::string_view text) {
   Checksum sum;
   sum.add(text.size());

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -20,10 +21,33 @@ namespace {
                             "': ", std::generic_category().message(reason)));
 }
 
+/// run.vtkhdf -> run.vtkhdf.4711-3.tmp: no other process and no other thread takes the same.
+std::filesystem::path temporary_name(const std::filesystem::path& path) {
+  static std::atomic<long> number{0};
+  std::error_code ignored;
+  for (;;) {
+    std::filesystem::path name = with_ending(path, message('.', ::getpid(), '-', ++number, ".tmp"));
+    if (!std::filesystem::exists(std::filesystem::symlink_status(name, ignored))) {
+      return name;
+    }
+  }
+}
+
+/// run.vtkhdf.4711-3.tmp and run.vtkhdf.data1.4711-3.tmp, of run.vtkhdf.
+bool is_temporary_name(const std::string& name, const std::string& of) {
+  const std::size_t dot = name.ends_with(".tmp") ? name.rfind('.', name.size() - 5) : 0;
+  return name.starts_with(of + '.') && dot != std::string::npos && dot >= of.size() &&
+         name.find_first_not_of("0123456789-", dot + 1) == name.size() - 4;
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+}
+
 int flags_of(File::Mode mode) {
   switch (mode) {
     case File::Mode::create:
-      return O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC;
+      return O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC;
     case File::Mode::update:
       return O_RDWR | O_CLOEXEC;
     case File::Mode::read:
@@ -90,6 +114,12 @@ void File::read_at(std::int64_t offset, std::span<std::byte> bytes) const {
   }
 }
 
+void File::resize(std::int64_t bytes) {
+  if (::ftruncate(descriptor_, bytes) != 0) {
+    fail("write", path_);
+  }
+}
+
 void File::sync() {
   if (::fdatasync(descriptor_) != 0) {
     fail("write", path_);
@@ -97,7 +127,7 @@ void File::sync() {
 }
 
 AtomicFile::AtomicFile(std::filesystem::path path)
-    : path_(std::move(path)), file_(with_ending(path_, ".tmp"), File::Mode::create) {}
+    : path_(std::move(path)), file_(temporary_name(path_), File::Mode::create) {}
 
 AtomicFile::~AtomicFile() {
   if (!committed_) {
@@ -117,13 +147,25 @@ void AtomicFile::commit() {
   committed_ = true;
 }
 
+void remove_unfinished(const std::filesystem::path& path) {
+  std::error_code ignored;
+  std::vector<std::filesystem::path> left;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_of(path), ignored)) {
+    if (is_temporary_name(entry.path().filename().string(), path.filename().string())) {
+      left.push_back(entry.path());
+    }
+  }
+  for (const std::filesystem::path& file : left) {
+    std::filesystem::remove(file, ignored);
+  }
+}
+
 void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to) {
   if (::rename(from.c_str(), to.c_str()) != 0) {
     fail("write", to);
   }
   // Some file systems cannot sync a folder; the rename itself has happened.
-  const std::filesystem::path folder = to.has_parent_path() ? to.parent_path() : ".";
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int descriptor = ::open(folder_of(to).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor >= 0) {
     ::fsync(descriptor);
     ::close(descriptor);

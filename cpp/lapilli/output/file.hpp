@@ -12,7 +12,7 @@ namespace lapilli {
 /// An open file (POSIX). Every failure throws OutputError with file and reason.
 class File {
  public:
-  enum class Mode { create, update, read };  // create: emptied when it exists
+  enum class Mode { create, update, read };  // create: there must be none of that name
 
   File(std::filesystem::path path, Mode mode);
   ~File();
@@ -24,6 +24,8 @@ class File {
   void write_at(std::int64_t offset, std::span<const std::byte> bytes);
   /// Fill all of `bytes`; a file that ends earlier is an error.
   void read_at(std::int64_t offset, std::span<std::byte> bytes) const;
+  /// Make the file so long; what is new of it reads as zeros and takes no room on the disk.
+  void resize(std::int64_t bytes);
   /// Return after what was written is on the disk.
   void sync();
 
@@ -32,8 +34,9 @@ class File {
   int descriptor_ = -1;
 };
 
-/// A file that appears under its name all at once: written as `path`.tmp, brought to disk, renamed.
-/// Until commit() a former file of that name stays as it was; without commit() nothing remains.
+/// A file that appears under its name all at once: written under a name of its own in the same
+/// folder, brought to disk, renamed. Until commit() a former file of that name stays as it was;
+/// without commit() nothing remains.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
@@ -42,6 +45,7 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   void append(std::span<const std::byte> bytes);
+  File& file() { return file_; }
   void commit();
 
  private:
@@ -50,6 +54,9 @@ class AtomicFile {
   std::int64_t size_ = 0;
   bool committed_ = false;
 };
+
+/// Remove what processes that died while they wrote left of `path`; nobody else may be writing it.
+void remove_unfinished(const std::filesystem::path& path);
 
 /// Give a finished file its final name, replacing a former one, and bring the folder to disk.
 void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to);

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <sstream>
 
 #include "lapilli/core/require.hpp"
-#include "lapilli/output/file.hpp"
+#include "lapilli/output/file_seal.hpp"
+#include "lapilli/output/frame_data.hpp"
 #include "lapilli/output/hdf5_file.hpp"
+#include "lapilli/output/output_error.hpp"
 
 namespace lapilli {
 namespace {
@@ -23,31 +24,6 @@ std::string offsets_name(const Column& column) {
   return column.name == "Points"
              ? "Steps/PointOffsets"
              : "Steps/PointDataOffsets/" + column.name.substr(std::string(point_data).size());
-}
-
-std::string layout_text(const std::vector<Column>& columns) {
-  std::ostringstream text;
-  for (const Column& column : columns) {
-    text << column.name << '\t' << column.unit << '\t' << column.components << '\t'
-         << column.is_index << '\t' << column.may_rest << '\n';
-  }
-  return text.str();
-}
-
-std::vector<Column> parse_layout(const std::string& layout) {
-  std::vector<Column> columns;
-  std::istringstream lines(layout);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream parts(line);
-    Column column;
-    std::getline(parts, column.name, '\t');
-    std::getline(parts, column.unit, '\t');
-    parts >> column.components >> column.is_index >> column.may_rest;
-    require(!parts.fail() && (column.name == "Points" || column.name.starts_with(point_data)),
-            "its list of columns is damaged");
-    columns.push_back(column);
-  }
-  return columns;
 }
 
 void write_cells(hid_t group, Index points) {
@@ -171,15 +147,26 @@ void write_index_group(std::int64_t file, const FrameIndex& index) {
   write_steps(group, index);
   const Hdf5Id of_points = hdf5_group(group, "PointData");
   const Hdf5Id own = hdf5_group(file, "lapilli");
+  const std::array<Index, 1> merged = {index.merged ? 1 : 0};
   hdf5_attribute(own, "columns", layout_text(index.columns));
+  hdf5_attribute(own, "name", index.name);
   hdf5_attribute<Index>(own, "capacities", index.capacities);
+  hdf5_attribute<Index>(own, "merged", merged);
+}
+
+void write_addresses(std::int64_t file, const FrameIndex& index) {
+  const Hdf5Id own(H5Gopen2(file, "lapilli", H5P_DEFAULT), H5Gclose, "write the index");
+  std::vector<Index> all;
+  for (const Addresses& of_file : index.addresses) {
+    all.insert(all.end(), of_file.begin(), of_file.end());
+  }
+  hdf5_write<Index>(own, "addresses", all);
 }
 
 void write_index(const std::filesystem::path& path, const FrameIndex& index) {
-  const Hdf5Quiet quiet;
-  const Hdf5Id file = hdf5_create_in_memory();
-  write_index_group(file, index);
-  {
+  const Hdf5Image image = hdf5_lay_out([&](hid_t file) {
+    write_index_group(file, index);
+    write_addresses(file, index);
     const Hdf5Id group(H5Gopen2(file, "VTKHDF", H5P_DEFAULT), H5Gclose, "write the index");
     const std::string first = data_path(path, 0).filename().string();
     link(group, "Vertices/Connectivity", first);
@@ -191,38 +178,71 @@ void write_index(const std::filesystem::path& path, const FrameIndex& index) {
         join(group, column, path, index);
       }
     }
-  }
+  });
   AtomicFile on_disk(path);
-  on_disk.append(hdf5_image(file));
+  image.write_to(on_disk.file());
+  FileSeal::of(image, FileSeal::Extent::whole).write_to(on_disk.file());
   on_disk.commit();
 }
 
+namespace {
+
+std::vector<Addresses> read_addresses(hid_t own, const FrameIndex& index) {
+  const std::vector<Index> all = hdf5_read<Index>(own, "addresses");
+  const std::size_t columns = index.columns.size() + 1;
+  require(all.size() == columns * index.capacities.size(), "its list of addresses is damaged");
+  std::vector<Addresses> addresses;
+  for (auto begin = all.begin(); begin != all.end();
+       begin += static_cast<std::ptrdiff_t>(columns)) {
+    addresses.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(columns));
+  }
+  return addresses;
+}
+
+/// The slot of every frame, from the first row of every frame.
+std::vector<Index> read_slots(hid_t group, const Column& column, const FrameIndex& index) {
+  std::vector<Index> slots = hdf5_read<Index>(group, offsets_name(column));
+  require(slots.size() == index.times.size(), column.name, " has ", slots.size(), " of ",
+          index.times.size(), " frames");
+  for (Index& slot : slots) {
+    slot /= index.points;
+    require(slot >= 0 && slot < index.capacity(), column.name, " has no slot ", slot);
+  }
+  return slots;
+}
+
+FrameIndex read_group(hid_t file) {
+  const Hdf5Id own(H5Gopen2(file, "lapilli", H5P_DEFAULT), H5Gclose, "read the index");
+  const Hdf5Id group(H5Gopen2(file, "VTKHDF", H5P_DEFAULT), H5Gclose, "read the index");
+  FrameIndex index;
+  const std::vector<Index> points = hdf5_read<Index>(group, "NumberOfPoints");
+  require(points.size() == 1 && points[0] > 0, "it has no points");
+  index.points = points[0];
+  index.columns = parse_layout(hdf5_read_text_attribute(own, "columns"));
+  index.name = hdf5_read_text_attribute(own, "name");
+  index.capacities = hdf5_read_attribute<Index>(own, "capacities");
+  index.merged = hdf5_read_attribute<Index>(own, "merged") == std::vector<Index>{1};
+  index.times = hdf5_read<double>(group, "Steps/Values");
+  index.addresses = read_addresses(own, index);
+  for (const Column& column : index.columns) {
+    index.slots.push_back(read_slots(group, column, index));
+  }
+  return index;
+}
+
+}  // namespace
+
 FrameIndex read_index(const std::filesystem::path& path) {
-  const Hdf5Quiet quiet;
+  require_whole(File(path, File::Mode::read));
+  const Hdf5Session session;
   const Hdf5Id file = hdf5_open(path);
   require(hdf5_exists(file, "lapilli") && hdf5_exists(file, "VTKHDF"), "'", path.string(),
           "' holds no frames of lapilli");
-  FrameIndex index;
-  const Hdf5Id own(H5Gopen2(file, "lapilli", H5P_DEFAULT), H5Gclose, "read the index");
-  const Hdf5Id group(H5Gopen2(file, "VTKHDF", H5P_DEFAULT), H5Gclose, "read the index");
-  const std::vector<Index> points = hdf5_read<Index>(group, "NumberOfPoints");
-  index.columns = parse_layout(hdf5_read_text_attribute(own, "columns"));
-  index.capacities = hdf5_read_attribute<Index>(own, "capacities");
-  require(index.capacity() > 0, "'", path.string(),
-          "' was merged into one file: it can be looked at, not gone on with");
-  index.times = hdf5_read<double>(group, "Steps/Values");
-  require(points.size() == 1 && points[0] > 0, "'", path.string(), "' is damaged: no points");
-  index.points = points[0];
-  for (const Column& column : index.columns) {
-    std::vector<Index> slots = hdf5_read<Index>(group, offsets_name(column));
-    require(slots.size() == index.times.size(), "'", path.string(), "' is damaged: ", column.name,
-            " has ", slots.size(), " of ", index.times.size(), " frames");
-    for (Index& slot : slots) {
-      slot /= index.points;
-    }
-    index.slots.push_back(std::move(slots));
+  try {
+    return read_group(file);
+  } catch (const std::invalid_argument& error) {
+    throw OutputError(message("'", path.string(), "' is damaged: ", error.what()));
   }
-  return index;
 }
 
 }  // namespace lapilli

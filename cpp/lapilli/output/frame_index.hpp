@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lapilli/output/frame_column.hpp"
+#include "lapilli/output/frame_data.hpp"
 
 namespace lapilli {
 
@@ -18,6 +18,9 @@ struct FrameIndex {
   std::vector<double> times;              // s, one a frame
   std::vector<std::vector<Index>> slots;  // of each column, one a frame
   std::vector<Index> capacities;          // slots of each data file
+  std::vector<Addresses> addresses;       // in each data file
+  std::string name;                       // the data files are called name.data, name.data1, ...
+  bool merged = false;                    // index and numbers in one file; nothing can be added
 
   Index frames() const { return static_cast<Index>(times.size()); }
   Index capacity() const;
@@ -37,12 +40,13 @@ std::filesystem::path data_path(const std::filesystem::path& index_path, std::si
 /// virtual datasets, whose missing parts read as NaN.
 void write_index(const std::filesystem::path& path, const FrameIndex& index);
 
-/// Read what `write_index` wrote. Throws OutputError when it cannot be read, and
-/// std::invalid_argument when lapilli did not write it.
+/// Read what `write_index` or `merge` wrote. Throws OutputError when it cannot be read or is
+/// damaged, and std::invalid_argument when lapilli did not write it.
 FrameIndex read_index(const std::filesystem::path& path);
 
-/// Write the group VTKHDF except for the numbers of the points (shared with `merge`; no
-/// capacity says that the numbers are in the same file).
+/// Write the groups VTKHDF and lapilli except for the numbers of the points (shared with `merge`),
+/// and, once these have their place, where it is.
 void write_index_group(std::int64_t file, const FrameIndex& index);
+void write_addresses(std::int64_t file, const FrameIndex& index);
 
 }  // namespace lapilli

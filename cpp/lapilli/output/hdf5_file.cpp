@@ -1,13 +1,47 @@
 #include "lapilli/output/hdf5_file.hpp"
 
+#include <pthread.h>
+
+#include <mutex>
 #include <utility>
 
 #include "lapilli/core/require.hpp"
-#include "lapilli/output/file.hpp"
 #include "lapilli/output/output_error.hpp"
 
 namespace lapilli {
 namespace {
+
+/// Locked again by the thread that holds it. Never destroyed: a thread may still be writing when
+/// the process ends. A process forked from this one finds it free: the fork waits for whoever holds
+/// it. (The system's own recursive lock knows its owner by a number that changes with a fork.)
+class HdfLock {
+ public:
+  void lock() {
+    if (depth_++ == 0) {
+      mutex_.lock();
+    }
+  }
+  void unlock() {
+    if (--depth_ == 0) {
+      mutex_.unlock();
+    }
+  }
+
+ private:
+  static thread_local int depth_;
+  std::mutex mutex_;
+};
+thread_local int HdfLock::depth_ = 0;
+
+HdfLock& the_lock() {
+  static HdfLock* const made = [] {
+    static auto* const lock = new HdfLock;
+    pthread_atfork([] { lock->lock(); }, [] { lock->unlock(); }, [] { lock->unlock(); });
+    H5dont_atexit();  // nothing of HDF5 is left to be cleaned up, and nothing can fail there
+    return lock;
+  }();
+  return *made;
+}
 
 herr_t note_reason(unsigned, const H5E_error2_t* error, void* data) {
   auto& reason = *static_cast<std::string*>(data);
@@ -82,12 +116,16 @@ Hdf5Id::Hdf5Id(Hdf5Id&& other) noexcept
 
 void Hdf5Id::close() { hdf5_check(close_(std::exchange(id_, -1)), action_); }
 
-Hdf5Quiet::Hdf5Quiet() {
+Hdf5Session::Hdf5Session() {
+  the_lock().lock();
   H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-Hdf5Quiet::~Hdf5Quiet() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+Hdf5Session::~Hdf5Session() {
+  H5Eset_auto2(H5E_DEFAULT, function_, data_);
+  the_lock().unlock();
+}
 
 void hdf5_check(herr_t status, const std::string& action) {
   if (status < 0) {
@@ -95,49 +133,10 @@ void hdf5_check(herr_t status, const std::string& action) {
   }
 }
 
-Hdf5Id hdf5_create(const std::filesystem::path& path) {
-  const Hdf5Id access = access_without_locks();
-  return Hdf5Id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose,
-                "create '" + path.string() + "'");
-}
-
-void hdf5_create_whole(const std::filesystem::path& path, const std::function<void(hid_t)>& fill) {
-  const std::filesystem::path temporary = with_ending(path, ".tmp");
-  const File says_plainly_why_not(temporary, File::Mode::create);
-  try {
-    Hdf5Id file = hdf5_create(temporary);
-    fill(file);
-    file.close();
-    File(temporary, File::Mode::update).sync();
-    rename_durably(temporary, path);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw;
-  }
-}
-
-Hdf5Id hdf5_create_in_memory() {
-  const Hdf5Id access = property_list(H5P_FILE_ACCESS);
-  hdf5_check(H5Pset_fapl_core(access, 1 << 16, false), "make an HDF5 file in memory");
-  return Hdf5Id(H5Fcreate("memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose,
-                "make an HDF5 file in memory");
-}
-
 Hdf5Id hdf5_open(const std::filesystem::path& path) {
   const Hdf5Id access = access_without_locks();
   return Hdf5Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose,
                 "open '" + path.string() + "' as HDF5");
-}
-
-std::vector<std::byte> hdf5_image(hid_t file) {
-  hdf5_check(H5Fflush(file, H5F_SCOPE_GLOBAL), "make an HDF5 image");
-  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
-  hdf5_check(size < 0 ? -1 : 0, "make an HDF5 image");
-  std::vector<std::byte> image(static_cast<std::size_t>(size));
-  hdf5_check(H5Fget_file_image(file, image.data(), image.size()) < 0 ? -1 : 0,
-             "make an HDF5 image");
-  return image;
 }
 
 Hdf5Id hdf5_group(hid_t parent, const std::string& name) {
@@ -177,17 +176,6 @@ void hdf5_write(hid_t parent, const std::string& name, std::span<const T> values
   }
 }
 
-void hdf5_write_rows(hid_t dataset, hid_t type, Index begin, Index rows, int components,
-                     const void* numbers) {
-  const hsize_t start[2] = {static_cast<hsize_t>(begin), 0};
-  const hsize_t size[2] = {static_cast<hsize_t>(rows), static_cast<hsize_t>(components)};
-  const Hdf5Id memory = space_of(rows, components);
-  const Hdf5Id on_disk(H5Dget_space(dataset), H5Sclose, "write rows");
-  hdf5_check(H5Sselect_hyperslab(on_disk, H5S_SELECT_SET, start, nullptr, size, nullptr),
-             "write rows");
-  hdf5_check(H5Dwrite(dataset, type, memory, on_disk, H5P_DEFAULT, numbers), "write rows");
-}
-
 template <class T>
 std::vector<T> hdf5_read(hid_t parent, const std::string& name) {
   const Hdf5Id dataset = open_dataset(parent, name);
@@ -198,6 +186,12 @@ std::vector<T> hdf5_read(hid_t parent, const std::string& name) {
                "read dataset " + name);
   }
   return values;
+}
+
+Index hdf5_address(hid_t parent, const std::string& name) {
+  const haddr_t address = H5Dget_offset(open_dataset(parent, name));
+  hdf5_check(address == HADDR_UNDEF ? -1 : 0, "find dataset " + name);
+  return static_cast<Index>(address);
 }
 
 bool hdf5_exists(hid_t parent, const std::string& name) {

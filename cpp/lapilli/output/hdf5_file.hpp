@@ -3,7 +3,6 @@
 #include <hdf5.h>
 
 #include <filesystem>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,33 +31,27 @@ class Hdf5Id {
   std::string action_;
 };
 
-/// Keeps HDF5 from printing while in scope; errors come as exceptions.
-class Hdf5Quiet {
+/// Whoever calls HDF5 has one of these in scope: one thread at a time, since HDF5 keeps its state
+/// in global variables, and nothing printed; errors come as exceptions. May be nested.
+class Hdf5Session {
  public:
-  Hdf5Quiet();
-  ~Hdf5Quiet();
-  Hdf5Quiet(const Hdf5Quiet&) = delete;
-  Hdf5Quiet& operator=(const Hdf5Quiet&) = delete;
+  Hdf5Session();
+  ~Hdf5Session();
+  Hdf5Session(const Hdf5Session&) = delete;
+  Hdf5Session& operator=(const Hdf5Session&) = delete;
 
  private:
   H5E_auto2_t function_ = nullptr;
   void* data_ = nullptr;
 };
 
-// Every function below throws OutputError with the innermost of HDF5's own reasons. Files are never
-// locked: a simulation must not fail because somebody looks at its frames.
+// Every function below throws OutputError with the innermost of HDF5's own reasons. Files are read
+// without locks of HDF5: a simulation must not fail because somebody looks at its frames.
 
 /// Throw when `status` is negative.
 void hdf5_check(herr_t status, const std::string& action);
 
-Hdf5Id hdf5_create(const std::filesystem::path& path);
-/// Make a file by `fill`, all at once: it appears under its name complete and on the disk, or not
-/// at all.
-void hdf5_create_whole(const std::filesystem::path& path, const std::function<void(hid_t)>& fill);
-/// A file that lives in memory; `hdf5_image` gives its bytes.
-Hdf5Id hdf5_create_in_memory();
 Hdf5Id hdf5_open(const std::filesystem::path& path);
-std::vector<std::byte> hdf5_image(hid_t file);
 
 Hdf5Id hdf5_group(hid_t parent, const std::string& name);
 
@@ -71,11 +64,10 @@ Hdf5Id hdf5_dataset(hid_t parent, const std::string& name, hid_t type, Index row
 template <class T>
 void hdf5_write(hid_t parent, const std::string& name, std::span<const T> values,
                 int components = 1);
-/// Write some rows, eight bytes a number, of a dataset that exists.
-void hdf5_write_rows(hid_t dataset, hid_t type, Index begin, Index rows, int components,
-                     const void* numbers);
 template <class T>
 std::vector<T> hdf5_read(hid_t parent, const std::string& name);
+/// The byte at which a dataset begins that is one piece in its file.
+Index hdf5_address(hid_t parent, const std::string& name);
 bool hdf5_exists(hid_t parent, const std::string& name);
 
 void hdf5_attribute(hid_t object, const std::string& name, const std::string& text);

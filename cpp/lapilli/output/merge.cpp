@@ -1,38 +1,64 @@
 #include "lapilli/output/merge.hpp"
 
+#include <algorithm>
+
+#include "lapilli/core/interruption.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/output/file_seal.hpp"
+#include "lapilli/output/frame_reader.hpp"
 #include "lapilli/output/hdf5_file.hpp"
-#include "lapilli/output/vtkhdf_writer.hpp"
+#include "lapilli/output/owned_files.hpp"
 
 namespace lapilli {
 namespace {
 
-/// Copy the used slots of one column, one after the other.
-void copy_column(hid_t group, const FrameIndex& index, std::size_t column,
-                 const std::vector<FrameData>& data) {
-  const Column& layout = index.columns[column];
-  const hid_t type = layout.is_index ? hdf5_type<Index>() : hdf5_type<double>();
-  const Index slots = index.next_slot(column);
-  const Hdf5Id dataset =
-      hdf5_dataset(group, layout.name, type, slots * index.points, layout.components);
-  hdf5_attribute(dataset, "unit", layout.unit);
-  for (Index slot = 0; slot < slots; ++slot) {
-    const auto [file, place] = index.place(slot);
-    const Words words = data[file].read(column, place);
-    hdf5_write_rows(dataset, type, slot * index.points, index.points, layout.components,
-                    words.data());
+/// The index of one file with only the room that is used, and the byte of each column in it.
+FrameIndex one_file(const FrameIndex& from, const std::filesystem::path& to) {
+  FrameIndex index = from;
+  index.merged = true;
+  index.name = to.filename().string();
+  index.addresses = {{}};
+  Index most = from.frames();
+  for (std::size_t column = 0; column < from.columns.size(); ++column) {
+    most = std::max(most, from.next_slot(column));
   }
+  index.capacities = {most};
+  return index;
 }
 
-void write_merged(hid_t file, const FrameIndex& index, const std::vector<FrameData>& data) {
-  FrameIndex own = index;
-  own.capacities = {0};
-  write_index_group(file, own);
+void lay_out(hid_t file, FrameIndex& index) {
+  write_index_group(file, index);
   const Hdf5Id group(H5Gopen2(file, "VTKHDF", H5P_DEFAULT), H5Gclose, "write the index");
   const Hdf5Id vertices(H5Gopen2(group, "Vertices", H5P_DEFAULT), H5Gclose, "write the index");
   write_topology(vertices, index.points);
   for (std::size_t column = 0; column < index.columns.size(); ++column) {
-    copy_column(group, index, column, data);
+    index.addresses[0].push_back(
+        lay_out_column(group, index.columns[column], index.points, index.next_slot(column)));
+  }
+  const Hdf5Id own(H5Gopen2(file, "lapilli", H5P_DEFAULT), H5Gclose, "write the index");
+  index.addresses[0].push_back(lay_out_journal(own, index.columns.size(), index.frames()));
+  write_addresses(file, index);
+}
+
+/// Copy frame by frame; what rests is written once.
+void copy_numbers(FrameReader& from, const FrameIndex& index, File& to) {
+  const Addresses& address = index.addresses[0];
+  std::vector<Index> written(index.columns.size(), -1);
+  for (Index frame = 0; frame < index.frames(); ++frame) {
+    allow_interruption();
+    const FrameEntry entry = from.entry(frame);
+    for (std::size_t column = 0; column < index.columns.size(); ++column) {
+      const Index slot = entry.slots[column];
+      if (slot != written[column]) {
+        const Words words = from.read(column, frame);
+        to.write_at(address[column] + slot * static_cast<Index>(words.size()) * 8,
+                    std::as_bytes(std::span(words)));
+        written[column] = slot;
+      }
+    }
+    const Words words = entry.to_words();
+    to.write_at(address.back() + frame * static_cast<Index>(words.size()) * 8,
+                std::as_bytes(std::span(words)));
   }
 }
 
@@ -43,10 +69,16 @@ void merge(const std::filesystem::path& from, const std::filesystem::path& to) {
   require(std::filesystem::exists(from, ignored), "there is no file '", from.string(), "'");
   require(!std::filesystem::equivalent(from, to, ignored), "merge '", from.string(),
           "' into another file, not into itself");
-  const FrameIndex index = read_index(from);
-  const Hdf5Quiet quiet;
-  const std::vector<FrameData> data = open_data(from, index, File::Mode::read);
-  hdf5_create_whole(to, [&](hid_t file) { write_merged(file, index, data); });
+  require_replaceable(to, OwnedFile::frames);
+  FrameReader reader(from);
+  require(!reader.index().merged, "'", from.string(), "' is merged into one file already");
+  FrameIndex index = one_file(reader.index(), to);
+  const Hdf5Image image = hdf5_lay_out([&](hid_t file) { lay_out(file, index); });
+  AtomicFile file(to);
+  image.write_to(file.file());
+  FileSeal::of(image, FileSeal::Extent::written).write_to(file.file());
+  copy_numbers(reader, index, file.file());
+  file.commit();
 }
 
 }  // namespace lapilli

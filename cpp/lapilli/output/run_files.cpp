@@ -4,11 +4,27 @@
 #include "lapilli/output/checkpoint.hpp"
 #include "lapilli/output/checksum.hpp"
 #include "lapilli/output/file.hpp"
+#include "lapilli/output/owned_files.hpp"
+#include "lapilli/output/verify.hpp"
 
 namespace lapilli {
 namespace {
 
 constexpr double record_interval_seconds = 1.0;
+
+/// A table says nothing of who wrote it: one beside a record of lapilli belongs to it.
+void require_own_history(const std::filesystem::path& output) {
+  const std::filesystem::path history = history_path(output);
+  std::error_code ignored;
+  const auto status = std::filesystem::symlink_status(history, ignored);
+  require(
+      !std::filesystem::exists(status) || (std::filesystem::is_regular_file(status) &&
+                                           (std::filesystem::exists(record_path(output), ignored) ||
+                                            std::filesystem::file_size(history, ignored) == 0)),
+      "'", history.string(),
+      "' was not written by lapilli: it is not overwritten; choose another output or take it "
+      "away");
+}
 
 }  // namespace
 
@@ -21,9 +37,30 @@ RunFiles::RunFiles(Simulation& simulation, const RunOptions& options, const Fram
   record_.settings = options.settings;
   record_.fingerprint =
       options.fingerprint.empty() ? fingerprint(options.scene_text) : options.fingerprint;
+  record_.not_compared = options.not_compared;
   record_.started = utc_now();
   record_.notes = options.notes;
+  record_.volumes = options.volumes;
   record_.frames_file = options.output.filename().string();
+}
+
+/// Keep other runs off, before anything is looked at; then see to it that what is there is ours.
+void RunFiles::take_over() {
+  const std::filesystem::path& output = options_.output;
+  check_frames_path(output);
+  std::error_code ignored;  // making the lock says why a folder cannot be used
+  std::filesystem::create_directories(output.parent_path(), ignored);
+  lock_.emplace(output);
+  require_replaceable_frames(output);
+  for (const std::filesystem::path& checkpoint : checkpoint_paths(output)) {
+    require_replaceable(checkpoint, OwnedFile::checkpoint);
+  }
+  require_replaceable(record_path(output), OwnedFile::record);
+  require_own_history(output);
+  for (const auto& path :
+       {output, checkpoint_path(output), record_path(output), history_path(output)}) {
+    remove_unfinished(path);
+  }
 }
 
 void RunFiles::begin() {
@@ -31,10 +68,12 @@ void RunFiles::begin() {
   if (!is_writing()) {
     return;
   }
+  take_over();
   // The former checkpoint first: it must never stand beside frames of another run.
-  check_frames_path(options_.output);
   std::error_code ignored;
-  std::filesystem::remove(checkpoint_path(options_.output), ignored);
+  for (const std::filesystem::path& checkpoint : checkpoint_paths(options_.output)) {
+    std::filesystem::remove(checkpoint, ignored);
+  }
   writer_.emplace(options_.output, schedule_.planned());
   stepped_ = simulation_.time();
   write_frame(true);
@@ -42,15 +81,48 @@ void RunFiles::begin() {
   write_checkpoint({});
 }
 
+/// The index is all that a reader goes by; when it is lost, the data files know the same.
+void RunFiles::find_index() {
+  try {
+    read_index(options_.output);
+  } catch (const std::exception& error) {
+    const Index frames = rebuild_index(options_.output);
+    record_.notes.push_back(message("the index was made anew from the data files, with ", frames,
+                                    " frames: ", error.what()));
+  }
+}
+
+/// The newest one that is whole. One of another scene is an error, and not passed over.
+Checkpoint RunFiles::newest_checkpoint() {
+  const auto paths = checkpoint_paths(options_.output);
+  std::error_code ignored;
+  require(std::filesystem::exists(paths[0], ignored) || std::filesystem::exists(paths[1], ignored),
+          "nothing to resume: there is no checkpoint '", paths[0].string(), "'");
+  std::string reason;
+  for (const std::filesystem::path& path : paths) {
+    std::optional<Checkpoint> checkpoint;
+    try {
+      checkpoint = load_checkpoint(path);
+    } catch (const std::exception& error) {
+      reason += (reason.empty() ? "" : "; ") + std::string(error.what());
+      continue;
+    }
+    require_same_scene(*checkpoint, record_.fingerprint, options_.identity, path);
+    if (!reason.empty()) {
+      record_.notes.push_back("resumed from the checkpoint before the last: " + reason);
+    }
+    return std::move(*checkpoint);
+  }
+  throw std::invalid_argument(reason);
+}
+
 void RunFiles::resume(RunStatistics& statistics) {
-  const std::filesystem::path path = checkpoint_path(options_.output);
-  require(std::filesystem::exists(path), "nothing to resume: there is no checkpoint '",
-          path.string(), "'");
-  const Checkpoint checkpoint = load_checkpoint(path);
-  require_same_scene(checkpoint, record_.fingerprint, path);
+  take_over();
+  const Checkpoint checkpoint = newest_checkpoint();
   const double time = checkpoint.state.read_number("clock/time");
-  require(time <= simulation_.end(), "the checkpoint '", path.string(), "' is of time ", time,
-          " s, after the end of this run at ", simulation_.end(), " s");
+  require(time <= simulation_.end(), "the checkpoint of '", options_.output.string(),
+          "' is of time ", time, " s, after the end of this run at ", simulation_.end(), " s");
+  find_index();
   simulation_.load(checkpoint.state);
   statistics.load(checkpoint.state);
   kept_frames_ = checkpoint.state.read_index("run/frames");
@@ -114,7 +186,7 @@ void RunFiles::write_checkpoint(const RunStatistics& statistics) {
   if (!options_.checkpoint) {
     return;
   }
-  Checkpoint checkpoint{record_.fingerprint, {}};
+  Checkpoint checkpoint{record_.fingerprint, {}, options_.identity};
   simulation_.save(checkpoint.state);
   statistics.save(checkpoint.state);
   checkpoint.state.write("run/frames", kept_frames_);
@@ -143,7 +215,7 @@ std::string RunFiles::last_frame() const {
 }
 
 std::filesystem::path checkpoint_path(const std::filesystem::path& output) {
-  return std::filesystem::path(output).replace_extension(".checkpoint");
+  return checkpoint_paths(output)[0];
 }
 
 std::filesystem::path record_path(const std::filesystem::path& output) {

@@ -5,15 +5,17 @@
 #include <string>
 
 #include "lapilli/core/simulation.hpp"
+#include "lapilli/output/checkpoint.hpp"
 #include "lapilli/output/frame_schedule.hpp"
+#include "lapilli/output/run_lock.hpp"
 #include "lapilli/output/run_options.hpp"
 #include "lapilli/output/run_record.hpp"
 #include "lapilli/output/vtkhdf_writer.hpp"
 
 namespace lapilli {
 
-/// The files of one run: frames, checkpoint, record, history. Without an output path it writes
-/// nothing and keeps the history alone.
+/// The files of one run: frames, checkpoint, record, history, and the lock that keeps other runs
+/// off them while it lives. Without an output path it writes nothing and keeps the history alone.
 class RunFiles {
  public:
   /// Options and schedule must outlive it.
@@ -42,6 +44,9 @@ class RunFiles {
   bool has_frame_of_now() const {
     return writer_->frames() > 0 && writer_->times().back() == simulation_.time();
   }
+  void take_over();
+  void find_index();
+  Checkpoint newest_checkpoint();
   void write_frame(bool keep);
   void keep_record(const RunStatistics& statistics);
   void write_checkpoint(const RunStatistics& statistics);
@@ -49,6 +54,7 @@ class RunFiles {
   Simulation& simulation_;
   const RunOptions& options_;
   const FrameSchedule& schedule_;
+  std::optional<RunLock> lock_;
   RunRecord record_;
   HistoryRecorder history_;
   std::optional<VtkhdfWriter> writer_;

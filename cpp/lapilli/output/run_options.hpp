@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "lapilli/core/body_volume.hpp"
 #include "lapilli/core/probes.hpp"
 
 namespace lapilli {
@@ -33,12 +34,15 @@ struct RunOptions {
   int bodies = std::numeric_limits<int>::max();  // those whose points the history is about
   std::vector<std::pair<double, Index>> history;  // rows beside those of frames: s or steps
   std::vector<std::string> notes;                 // for the record: allowed, seldom meant
+  std::vector<BodyVolume> volumes;                // for the record
   bool checkpoint = true;                         // keep a state to resume from
   double checkpoint_interval_seconds = 0.0;       // s of wall time; 0: with every frame
   bool resume = false;                            // go on from the checkpoint
   std::string scene_text;                         // TOML, for the record
   std::string settings;                           // all settings as a JSON object, for the record
   std::string fingerprint;                        // of the scene; empty: taken from scene_text
+  std::string identity;  // lines "key<tab>value" that say what a resume must find the same
+  std::vector<std::string> not_compared;          // settings that no resume can compare: functions
   std::function<void(const Progress&)> progress;  // at the start, ten times a second, at the end
   std::function<bool()> interrupted;              // asked after every step; true stops the run
 };

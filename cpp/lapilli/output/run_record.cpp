@@ -51,6 +51,14 @@ void write_steps(JsonWriter& json, const RunStatistics& statistics, const Simula
   json.member("peak_memory_bytes", peak_memory());
 }
 
+void write_texts(JsonWriter& json, const char* name, const std::vector<std::string>& texts) {
+  json.key(name).begin_array();
+  for (const std::string& text : texts) {
+    json.value(text);
+  }
+  json.end_array();
+}
+
 void write_ledger(JsonWriter& json, const Ledger& ledger) {
   json.begin_object();
   json.member("quantity", ledger.quantity);
@@ -67,6 +75,17 @@ void write_ledger(JsonWriter& json, const Ledger& ledger) {
   json.end_array();
   json.member("taken_in", ledger.taken_in());
   json.member("residual", ledger.residual());
+  json.end_object();
+}
+
+void write_body(JsonWriter& json, const BodyVolume& body) {
+  json.begin_object();
+  json.member("name", body.name);
+  json.member("points", body.points);
+  json.member("volume", body.volume);
+  if (body.of_shape) {
+    json.member("volume_of_shape", *body.of_shape);
+  }
   json.end_object();
 }
 
@@ -145,6 +164,8 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
   json.member("lapilli", LAPILLI_VERSION);
   json.member("status", record.status);
   json.member("message", record.message);
+  write_texts(json, "notes", record.notes);
+  write_texts(json, "not_compared", record.not_compared);
   json.member("started", record.started);
   json.member("written", utc_now());
   json.member("compiler", compiler);
@@ -157,9 +178,9 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
     write_physics(json, *physics);
   }
   json.end_array();
-  json.key("notes").begin_array();
-  for (const std::string& note : record.notes) {
-    json.value(note);
+  json.key("bodies").begin_array();
+  for (const BodyVolume& body : record.volumes) {
+    write_body(json, body);
   }
   json.end_array();
   write_history(json, history);

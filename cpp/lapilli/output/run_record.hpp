@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lapilli/core/body_volume.hpp"
 #include "lapilli/core/simulation.hpp"
 #include "lapilli/output/history.hpp"
 
@@ -28,15 +29,17 @@ struct RunStatistics {
 
 /// Everything about a run that its frames do not say.
 struct RunRecord {
-  std::string status;       // "running", "finished", "interrupted", "failed"
+  std::string status;       // "running", "finished", "stopped", "failed"
   std::string message;      // why it failed
   std::string scene_text;   // TOML
   std::string settings;     // the scene with all defaults as a JSON object; may be empty
   std::string fingerprint;  // of the scene
-  std::string started;      // UTC, "2001-02-03T04:05:06Z"
+  std::vector<std::string> not_compared;  // settings that no resume can compare: functions
+  std::vector<std::string> notes;         // what the user should know: "the index was made anew"
+  std::string started;                    // UTC, "2001-02-03T04:05:06Z"
   std::string frames_file;
   Index frames = 0;
-  std::vector<std::string> notes;  // settings that are allowed and seldom meant
+  std::vector<BodyVolume> volumes;
   RunStatistics statistics;
 };
 

@@ -137,7 +137,7 @@ RunSummary run(Simulation& simulation, const RunOptions& options) {
     if (status == RunStatus::finished) {
       require_closed_balances(simulation);
     }
-    files.write_record(status == RunStatus::finished ? "finished" : "interrupted", measure.now());
+    files.write_record(status == RunStatus::finished ? "finished" : "stopped", measure.now());
     return {status,        simulation.time(), files.frames(),
             measure.now(), files.notes(),     files.history()};
   } catch (const StepRefused& error) {

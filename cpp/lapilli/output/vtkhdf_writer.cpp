@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "lapilli/core/require.hpp"
-#include "lapilli/output/hdf5_file.hpp"
+#include "lapilli/output/checksum.hpp"
+#include "lapilli/output/frame_reader.hpp"
+#include "lapilli/output/owned_files.hpp"
 
 namespace lapilli {
 namespace {
@@ -33,49 +35,81 @@ VtkhdfWriter VtkhdfWriter::resume(const std::filesystem::path& path, Index frame
   }
   FrameIndex& index = writer.index_;
   index = read_index(path);
+  require_own_name(path, index);
   require(frames <= index.frames(), "cannot go on after frame ", frames, " of '", path.string(),
           "': it holds ", index.frames());
-  const Hdf5Quiet quiet;
-  writer.data_ = open_data(path, index, File::Mode::update);
-  index.cut(frames);
+  FrameReader reader(path);
   for (std::size_t column = 0; column < index.columns.size(); ++column) {
-    const auto [file, slot] = index.place(index.slots[column].back());
-    writer.last_.push_back(index.columns[column].may_rest ? writer.data_[file].read(column, slot)
+    writer.last_.push_back(index.columns[column].may_rest ? reader.read(column, frames - 1)
                                                           : Words());
   }
+  writer.last_entry_ = reader.entry(frames - 1);
+  writer.data_ = open_data(path, index, File::Mode::update);
+  index.cut(frames);
   write_index(path, index);
+  writer.forget_later_entries();
   return writer;
 }
 
+/// What is left of frames after the last one must not come back when the index is made anew.
+void VtkhdfWriter::forget_later_entries() {
+  for (Index frame = index_.frames(); frame < index_.capacity(); ++frame) {
+    const auto [file, row] = index_.place(frame);
+    const std::optional<FrameEntry> entry = data_[file].read_entry(row);
+    if (!entry) {
+      break;
+    }
+    data_[file].clear_entry(row);
+  }
+}
+
 void VtkhdfWriter::write(double time, const Points& points, std::span<const Field> fields) {
-  const Hdf5Quiet quiet;
   const std::vector<FrameColumn> frame = frame_columns(points, fields);
   if (index_.columns.empty()) {
     begin(frame, points.size());
   }
   check_same(frame, points.size());
+  std::vector<Words> resting(frame.size());
   FrameIndex next = index_;
-  std::vector<Words> next_last(frame.size());
+  FrameEntry entry = store_columns(next.frames(), time, points, frame, resting);
   next.times.push_back(time);
   for (std::size_t column = 0; column < frame.size(); ++column) {
-    Words words = pack(frame[column], points.id());
-    next.slots[column].push_back(store(column, words));
-    if (index_.columns[column].may_rest) {
-      next_last[column] = std::move(words);
-    }
+    next.slots[column].push_back(entry.slots[column]);
   }
   for (FrameData& data : data_) {
     data.sync();
   }
   next.capacities = index_.capacities;
+  next.addresses = index_.addresses;
   write_index(path_, next);
   index_ = std::move(next);
-  last_ = std::move(next_last);
+  last_ = std::move(resting);
+  last_entry_ = std::move(entry);
+}
+
+/// Write the numbers of a frame, then its entry in the journal.
+FrameEntry VtkhdfWriter::store_columns(Index number, double time, const Points& points,
+                                       const std::vector<FrameColumn>& frame,
+                                       std::vector<Words>& resting) {
+  FrameEntry entry{number, time, {}, {}};
+  for (std::size_t column = 0; column < frame.size(); ++column) {
+    Words words = pack(frame[column], points.id());
+    entry.checksums.push_back(checksum_of(words));
+    entry.slots.push_back(store(column, words, entry.checksums.back()));
+    if (index_.columns[column].may_rest) {
+      resting[column] = std::move(words);
+    }
+  }
+  make_room(number);
+  const auto [file, row] = index_.place(number);
+  data_[file].write_entry(row, entry);
+  return entry;
 }
 
 void VtkhdfWriter::begin(const std::vector<FrameColumn>& frame, Index points) {
   require(points > 0, "a simulation without points has no frames");
   index_.points = points;
+  index_.name = path_.filename().string();
   for (const FrameColumn& entry : frame) {
     index_.columns.push_back(entry.column);
   }
@@ -105,13 +139,15 @@ void VtkhdfWriter::make_room(Index slot) {
     data_.push_back(FrameData::create(data_path(path_, data_.size()), index_.columns, index_.points,
                                       room, first));
     index_.capacities.push_back(room);
+    index_.addresses.push_back(data_.back().addresses());
   }
 }
 
 /// The slot that holds `words`: a new one, or the last one when nothing changed.
-Index VtkhdfWriter::store(std::size_t column, const Words& words) {
+Index VtkhdfWriter::store(std::size_t column, const Words& words, std::uint64_t checksum) {
   const Index slot = index_.next_slot(column);
-  if (slot > 0 && index_.columns[column].may_rest && words == last_[column]) {
+  if (slot > 0 && index_.columns[column].may_rest && checksum == last_entry_.checksums[column] &&
+      words == last_[column]) {
     return index_.slots[column].back();
   }
   make_room(slot);
@@ -125,17 +161,35 @@ void check_frames_path(const std::filesystem::path& path) {
           path.string(), "'");
 }
 
+void require_own_name(const std::filesystem::path& path, const FrameIndex& index) {
+  require(!index.merged, "'", path.string(),
+          "' was merged into one file: it can be looked at, not gone on with");
+  require(path.filename() == index.name, "'", path.string(), "' was written as '", index.name,
+          "' and renamed: give it its name back to go on with it");
+}
+
 std::vector<FrameData> open_data(const std::filesystem::path& path, const FrameIndex& index,
                                  File::Mode mode) {
   std::vector<FrameData> data;
   for (std::size_t file = 0; file < index.capacities.size(); ++file) {
     data.push_back(FrameData::open(data_path(path, file), index.columns, index.points,
-                                   index.capacities[file], mode));
+                                   index.capacities[file], index.addresses[file], mode));
   }
   return data;
 }
 
+void require_replaceable_frames(const std::filesystem::path& path) {
+  require_replaceable(path, OwnedFile::frames);
+  std::error_code ignored;
+  for (std::size_t file = 0;
+       std::filesystem::exists(std::filesystem::symlink_status(data_path(path, file), ignored));
+       ++file) {
+    require_replaceable(data_path(path, file), OwnedFile::data);
+  }
+}
+
 void remove_frames(const std::filesystem::path& path) {
+  require_replaceable_frames(path);
   std::error_code ignored;
   std::filesystem::remove(path, ignored);
   for (std::size_t file = 0; std::filesystem::remove(data_path(path, file), ignored); ++file) {

@@ -39,23 +39,35 @@ class VtkhdfWriter {
   void begin(const std::vector<FrameColumn>& frame, Index points);
   void check_same(const std::vector<FrameColumn>& frame, Index points) const;
   void make_room(Index slot);
-  Index store(std::size_t column, const Words& words);
+  Index store(std::size_t column, const Words& words, std::uint64_t checksum);
+  FrameEntry store_columns(Index number, double time, const Points& points,
+                           const std::vector<FrameColumn>& frame, std::vector<Words>& resting);
+  void forget_later_entries();
 
   std::filesystem::path path_;
   Index planned_frames_ = 0;
   FrameIndex index_;
   std::vector<FrameData> data_;
   std::vector<Words> last_;  // of columns that may rest
+  FrameEntry last_entry_;
 };
 
 /// Throw std::invalid_argument unless the name ends in .vtkhdf.
 void check_frames_path(const std::filesystem::path& path);
 
+/// Throw std::invalid_argument unless frames can be added under this name: a merged or renamed file
+/// does not name data files beside it.
+void require_own_name(const std::filesystem::path& path, const FrameIndex& index);
+
+/// Throw std::invalid_argument when a file of others is where a series of this name would be.
+void require_replaceable_frames(const std::filesystem::path& path);
+
 /// Open the data files of an index.
 std::vector<FrameData> open_data(const std::filesystem::path& path, const FrameIndex& index,
                                  File::Mode mode);
 
-/// Remove a series of frames, index first; nothing happens where there is none.
+/// Remove a series of frames, index first; nothing happens where there is none. Throws
+/// std::invalid_argument, before anything is removed, when one of the files is not of lapilli.
 void remove_frames(const std::filesystem::path& path);
 
 }  // namespace lapilli

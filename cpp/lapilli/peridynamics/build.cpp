@@ -74,7 +74,9 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
 
   auto walls = std::make_shared<WallSurface>(points, scene.walls, scene.region, scene.spacing,
                                              scene.wall_shapes);
-  walls->require_thickness(horizon);
+  if (scene.flow || scene.heat->laplacian != Laplacian::corrected) {
+    walls->require_thickness(horizon);  // points at rest need no more than the surface of a wall
+  }
   if (scene.flow) {
     walls->require_closed(scene.region);
   }

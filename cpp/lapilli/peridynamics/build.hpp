@@ -23,7 +23,7 @@ struct PeridynamicScene {
   std::vector<Wall> walls;  // bodies of `points` that are walls; all others are fluid
   std::optional<PeridynamicHeatSettings> heat;
   std::optional<PeridynamicFlowSettings> flow;
-  std::vector<FluidDistance> wall_shapes;  // see WallSurface
+  std::vector<FluidDistance> wall_shapes = {};  // see WallSurface
 };
 
 /// The physics of a peridynamic scene, in the order in which they advance: heat, then flow, which

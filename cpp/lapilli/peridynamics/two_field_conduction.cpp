@@ -73,7 +73,9 @@ void TwoFieldConduction<Dim>::share_fluxes() {
         const Vec<Dim> y = points_.position<Dim>(i) - points_.position<Dim>(j);
         const double ahead = Eigen::Map<const Vec<Dim>>(walls_.normal(j)).dot(y);
         const double aside = std::sqrt(std::max(0.0, y.squaredNorm() - ahead * ahead)) / spacing;
-        if (aside < 0.75 && ahead > 0.0 && ahead - walls_.depth(j) < spacing) {
+        // Points of a wall's corners have fluid across a diagonal alone, and no surface.
+        const bool faces = y.squaredNorm() < 1.69 * spacing * spacing;
+        if (faces && aside < 0.75 && ahead > 0.0 && ahead - walls_.depth(j) < spacing) {
           visit(i, j, 1.0 - aside / 0.75);
         }
       }

@@ -19,23 +19,43 @@ double volume_of_shape(const Scene& scene, const Body& body) {
   return volume_of(*body.shape, lattice, options, dimension_of(scene));
 }
 
-}  // namespace
-
-std::vector<BodyVolume> body_volumes(const Scene& as_written, const Points& points) {
-  const Scene scene = with_resolved_files(as_written);
+std::vector<BodyVolume> volumes_of_points(const Scene& scene, const Points& points) {
   std::vector<BodyVolume> all;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    const Body& body = scene.bodies[k];
-    all.push_back({body.name.empty() ? message("body ", k) : body.name, 0, 0.0, {}});
-    if (body.shape) {
-      all.back().of_shape = volume_of_shape(scene, body);
-    }
+    const std::string& name = scene.bodies[k].name;
+    all.push_back({name.empty() ? message("body ", k) : name, 0, 0.0, {}});
   }
   for (Index row = 0; row < points.size(); ++row) {
     const auto body = static_cast<std::size_t>(points.body()[static_cast<std::size_t>(row)]);
     if (body < all.size()) {  // what follows are walls
       ++all[body].points;
       all[body].volume += points.volume()[static_cast<std::size_t>(row)];
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<BodyVolume> body_volumes(const Scene& as_written, const Points& points) {
+  const Scene scene = with_resolved_files(as_written);
+  std::vector<BodyVolume> all = volumes_of_points(scene, points);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (scene.bodies[k].shape) {
+      all[k].of_shape = volume_of_shape(scene, scene.bodies[k]);
+    }
+  }
+  return all;
+}
+
+std::vector<BodyVolume> body_volumes_at_start(const Scene& as_written, const Points& points) {
+  const Scene scene = with_resolved_files(as_written);
+  std::vector<BodyVolume> all = volumes_of_points(scene, points);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Body& body = scene.bodies[k];
+    if (body.shape) {
+      const bool is_sum_of_parts = is_filled_exactly(scene, body) || body.random;
+      all[k].of_shape = is_sum_of_parts ? all[k].volume : volume_of_shape(scene, body);
     }
   }
   return all;

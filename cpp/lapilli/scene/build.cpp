@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/core/memory.hpp"
 #include "lapilli/geometry/checks.hpp"
 #include "lapilli/geometry/combine.hpp"
 #include "lapilli/mpm/heat/heat_in_body_frame.hpp"
@@ -14,6 +15,7 @@
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/build_peridynamics.hpp"
+#include "lapilli/scene/memory.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/run_scene.hpp"
@@ -270,14 +272,17 @@ std::unique_ptr<Simulation> build_in(const Scene& scene) {
 std::unique_ptr<Simulation> build(const Scene& as_written) {
   const Scene scene = with_resolved_files(as_written);
   validate(scene);
-  switch (dimension_of(scene)) {
-    case 1:
-      return build_in<1>(scene);
-    case 2:
-      return build_in<2>(scene);
-    default:
-      return build_in<3>(scene);
-  }
+  require_feasible(scene);
+  return with_memory_for("build the scene", [&] {
+    switch (dimension_of(scene)) {
+      case 1:
+        return build_in<1>(scene);
+      case 2:
+        return build_in<2>(scene);
+      default:
+        return build_in<3>(scene);
+    }
+  });
 }
 
 }  // namespace lapilli

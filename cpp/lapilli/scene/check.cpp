@@ -6,17 +6,24 @@
 #include <iterator>
 #include <limits>
 
+#include "lapilli/core/memory.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
+#include "lapilli/scene/memory.hpp"
+#include "lapilli/scene/resolve_files.hpp"
+#include "lapilli/scene/validate.hpp"
 #include "lapilli/scene/validate_heat.hpp"
 
 namespace lapilli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// What is looked at by building it; beyond, by its bounds.
+constexpr double most_points = 2e6, most_memory = 1e9;  // bytes
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -261,43 +268,43 @@ void measure_steps(Simulation& simulation, CheckReport& report) {
                                            static_cast<double>(report.steps);
 }
 
-// Arrays of points, and of bonds: a neighbour, its weight and its conductance each.
-double memory_of_peridynamics(const PeridynamicsSettings& settings, const CheckReport& report) {
-  const auto bonds = [&](double horizon, double skin) {
-    const double r = horizon + skin;
-    return report.dimension == 1 ? 2.0 * r : report.dimension == 2 ? 3.2 * r * r : 4.2 * r * r * r;
-  };
-  double bytes = 8.0 * (4.0 + 2.0 * report.dimension);
-  if (settings.heat) {
-    bytes += 8.0 * 20.0 + 20.0 * bonds(settings.heat->horizon, settings.heat->skin);
+// What a run leaves on disk: every field at every frame.
+double output_of(const Scene& scene, Simulation& simulation) {
+  double numbers = 0.0;
+  for (const Field& field : simulation.fields()) {
+    numbers += field.components == 1 ? 1.0 : field.components <= 3 ? 3.0 : 9.0;
   }
-  if (settings.flow) {
-    bytes += 8.0 * 40.0 + 12.0 * bonds(settings.flow->horizon, settings.flow->skin);
-  }
-  return bytes * static_cast<double>(report.points);
+  const double every = scene.output.every.value_or(scene.time.end);
+  const double frames = 2.0 + (every > 0.0 ? std::floor(scene.time.end / every) : 0.0);
+  return 8.0 * numbers * frames * static_cast<double>(simulation.points().size());
 }
 
-// Arrays of points and nodes, and the rows of the assembled nodal operator.
-double memory_of(const Scene& scene, const CheckReport& report) {
-  if (scene.peridynamics) {
-    return memory_of_peridynamics(*scene.peridynamics, report);
-  }
-  const double point_numbers = 4.0 + report.dimension + 4.0 * (1 + report.dimension);
-  const double stencil = std::pow(5.0, report.dimension);
-  double node_numbers = scene.heat ? 16.0 + stencil : 4.0;
-  if (scene.quasi_static) {
-    // Entries of the factor under nested dissection, n log n in the plane and n^4/3 in space.
-    const auto nodes = static_cast<double>(report.nodes);
-    node_numbers += report.dimension == 2 ? 16.0 * std::log2(nodes) : 40.0 * std::cbrt(nodes);
-  }
-  return 8.0 * (point_numbers * static_cast<double>(report.points) +
-                node_numbers * static_cast<double>(report.nodes));
+/// A scene that would take long or much is described by its bounds alone.
+CheckReport estimate(const Scene& scene, const SizeEstimate& size) {
+  CheckReport report;
+  report.title = scene.title;
+  describe_grid(scene, report);
+  describe_physics(scene, report);
+  report.points = static_cast<Index>(size.points);
+  report.memory = size.memory;
+  report.hard_limit = std::numeric_limits<double>::infinity();
+  report.step_reason = "not known: not built";
+  report.notes.push_back(message("not built, since it is large: about ", size.points,
+                                 " points and ", readable_bytes(size.memory),
+                                 " by its bounds; steps and times are not known"));
+  return report;
 }
 
 }  // namespace
 
 CheckReport check(const Scene& scene) {
   const Clock::time_point start = Clock::now();
+  validate(with_resolved_files(scene));
+  const SizeEstimate size = size_of(with_resolved_files(scene));
+  if (size.points > most_points || size.memory > most_memory) {
+    require_feasible(with_resolved_files(scene));
+    return estimate(scene, size);
+  }
   const std::unique_ptr<Simulation> simulation = build(scene);
   CheckReport report;
   report.seconds_to_build = seconds_since(start);
@@ -309,7 +316,9 @@ CheckReport check(const Scene& scene) {
     report.notes.push_back(note);
   }
   describe_steps(scene, *simulation, report);
-  report.memory = memory_of(scene, report);
+  report.memory =
+      memory_of(scene, static_cast<double>(report.nodes), static_cast<double>(report.points));
+  report.output = output_of(scene, *simulation);
   measure_steps(*simulation, report);
   return report;
 }

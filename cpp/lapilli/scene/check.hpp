@@ -32,13 +32,14 @@ struct CheckReport {
   std::string step_reason;
   Index steps = 0;
   double memory = 0.0;             // bytes, estimated from the sizes of arrays
+  double output = 0.0;             // bytes on disk, estimated
   double seconds_to_build = 0.0;   // measured
   double seconds_to_run = 0.0;     // extrapolated from the first steps
   std::vector<std::string> notes;  // settings that are allowed and seldom meant
 };
 
-/// Build the scene, run its first few steps and say what it is. Throws std::invalid_argument as
-/// build() does.
+/// Build the scene, run its first few steps and say what it is; a large one is described by its
+/// bounds, without building it. Throws std::invalid_argument as build() does.
 CheckReport check(const Scene& scene);
 
 /// The report as lines of text.

@@ -1,5 +1,6 @@
 #include <iomanip>
 
+#include "lapilli/core/memory.hpp"
 #include "lapilli/scene/check.hpp"
 #include "lapilli/scene/emit.hpp"
 #include "lapilli/scene/run_text.hpp"
@@ -7,11 +8,6 @@
 
 namespace lapilli {
 namespace {
-
-std::string readable_memory(double bytes) {
-  const bool large = bytes > 1e9;
-  return message(std::setprecision(3), bytes / (large ? 1e9 : 1e6), large ? " GB" : " MB");
-}
 
 Tree list_of(const std::vector<std::string>& words) {
   Tree::Array array;
@@ -46,7 +42,11 @@ std::string text_of(const CheckReport& report) {
   text += message("leaves out    ", listed(report.not_modelled), "\n");
   text += message("step          ", report.step, " s (", report.step_reason, "), limit ",
                   report.hard_limit, " s, ", report.steps, " steps\n");
-  text += message("memory        about ", readable_memory(report.memory), "\n");
+  text += message("memory        about ", readable_bytes(report.memory),
+                  report.output > 0.0
+                      ? message(", and ", readable_bytes(report.output), " of frames on disk")
+                      : "",
+                  "\n");
   text += message("time          about ", readable_time(report.seconds_to_run), ", and ",
                   readable_time(report.seconds_to_build), " to build\n");
   for (const std::string& note : report.notes) {
@@ -84,6 +84,7 @@ std::string json_of(const CheckReport& report) {
                                 {"step_reason", {}, {report.step_reason, {}}},
                                 {"steps", {}, {report.steps, {}}},
                                 {"memory", {}, {report.memory, {}}},
+                                {"output", {}, {report.output, {}}},
                                 {"seconds_to_build", {}, {report.seconds_to_build, {}}},
                                 {"seconds_to_run", {}, {report.seconds_to_run, {}}},
                                 {"notes", {}, list_of(report.notes)}},

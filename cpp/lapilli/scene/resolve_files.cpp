@@ -17,8 +17,10 @@ inline constexpr bool holds_texts<std::optional<T>> = holds_texts<T>;
 template <class T>
 inline constexpr bool holds_texts<std::vector<T>> = holds_texts<T>;
 
-struct Resolver {
-  std::filesystem::path folder;
+/// Calls `change` with every name of a file that a scene holds.
+template <class Change>
+struct EachFile {
+  Change change;
 
   template <class T>
   void operator()(const Key& key, T& member) {
@@ -26,7 +28,7 @@ struct Resolver {
       return;
     } else if constexpr (std::is_same_v<T, std::string>) {
       if (key.names_file && !member.empty()) {
-        member = (folder / member).string();  // an absolute name stays as it is
+        change(member);
       }
     } else if constexpr (is_optional<T>) {
       if (member) {
@@ -50,15 +52,29 @@ struct Resolver {
   }
 };
 
+template <class Change>
+void each_file(Scene& scene, const Change& change) {
+  EachFile<Change> visitor{change};
+  Scene::describe(scene, visitor);
+}
+
 }  // namespace
 
 Scene with_resolved_files(Scene scene) {
   const std::string folder = directory_of(scene);
   if (!folder.empty()) {
-    Resolver resolver{folder};
-    Scene::describe(scene, resolver);
+    each_file(scene, [&](std::string& name) {
+      name = (std::filesystem::path(folder) / name).string();  // an absolute name stays as it is
+    });
   }
   return scene;
+}
+
+std::vector<std::string> input_files(const Scene& scene) {
+  std::vector<std::string> names;
+  Scene changed = scene;
+  each_file(changed, [&](const std::string& name) { names.push_back(name); });
+  return names;
 }
 
 }  // namespace lapilli

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "lapilli/scene/scene.hpp"
 
 namespace lapilli {
@@ -7,5 +10,8 @@ namespace lapilli {
 /// The scene with the names of its input files starting from the folder of its scene file, where
 /// they are relative.
 Scene with_resolved_files(Scene scene);
+
+/// The names of the input files of a scene, in its order.
+std::vector<std::string> input_files(const Scene& scene);
 
 }  // namespace lapilli

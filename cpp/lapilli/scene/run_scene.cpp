@@ -5,6 +5,8 @@
 
 #include "lapilli/output/checksum.hpp"
 #include "lapilli/scene/audit.hpp"
+#include "lapilli/scene/body_volumes.hpp"
+#include "lapilli/scene/identity.hpp"
 #include "lapilli/scene/scene_file.hpp"
 #include "lapilli/scene/validate_heat.hpp"
 
@@ -17,16 +19,6 @@ std::string text_for_record(const Scene& scene) {
   } catch (const std::invalid_argument&) {
     return "";  // functions or arrays: the JSON settings name them
   }
-}
-
-std::string fingerprint_of(Scene scene) {
-  scene.title.clear();
-  scene.output = {};
-  scene.probes.clear();
-  if (!scene.time.steps) {
-    scene.time.end = 0.0;
-  }
-  return fingerprint(to_json(scene));
 }
 
 }  // namespace
@@ -71,7 +63,18 @@ RunOptions run_options(const Scene& scene) {
   options.checkpoint_interval_seconds = scene.output.checkpoint_every.value_or(0.0);
   options.scene_text = text_for_record(scene);
   options.settings = to_json(scene);
-  options.fingerprint = fingerprint_of(scene);
+  SceneIdentity identity = identity_of(scene);
+  options.fingerprint = fingerprint(identity.lines);
+  options.identity = std::move(identity.lines);
+  options.not_compared = std::move(identity.not_compared);
+  return options;
+}
+
+RunOptions run_options(const Scene& scene, const Points& points) {
+  RunOptions options = run_options(scene);
+  options.volumes = body_volumes_at_start(scene, points);
+  std::ranges::copy(volume_warnings(options.volumes, points.dimension()),
+                    std::back_inserter(options.notes));
   return options;
 }
 

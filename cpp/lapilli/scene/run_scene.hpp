@@ -10,6 +10,9 @@ namespace lapilli {
 /// a later end or other frames, never with another problem. Functions are named, not compared.
 RunOptions run_options(const Scene& scene);
 
+/// The same with the volumes of the bodies, for a simulation that has just been built.
+RunOptions run_options(const Scene& scene, const Points& points);
+
 /// The scene with the output that a front end was asked for: frames in `path`, unless it is empty,
 /// and after `every` seconds, unless it is 0, whatever the scene says of steps between frames.
 Scene with_output(Scene scene, const std::string& path, double every);

@@ -6,6 +6,7 @@
 
 #include "lapilli/core/allowed.hpp"
 #include "lapilli/scene/body_points.hpp"
+#include "lapilli/scene/build_peridynamics.hpp"
 #include "lapilli/scene/member_types.hpp"
 #include "lapilli/scene/mistakes.hpp"
 #include "lapilli/scene/place_errors.hpp"
@@ -218,8 +219,9 @@ void check_body_material(const Scene& scene, const Body& body, const std::string
   require_at(solid <= 1, scene, path + ".material", "has ", solid, " solid materials");
   require_at(!body.fill || body.shape, scene, path + ".fill",
              "has no effect on a body without a shape");
-  require_at(!scene.peridynamics || body.fill != Filling::exact, scene, path + ".fill",
-             "must be \"lattice\" in [peridynamics], whose operators need points of one volume");
+  require_at(!scene.peridynamics || body.fill != Filling::exact || conducts_at_rest(scene), scene,
+             path + ".fill",
+             "must be \"lattice\" in peridynamic flow, whose operators need points of one volume");
   check_momentum_body(scene, body, solid, path);
 }
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from lapilli.extremes.steps import FACTORS, Outcome, Row
 from lapilli.plot import require_matplotlib
+from lapilli.whole_file import whole_file
 
 COLOURS = {
     Outcome.STABLE: "#4c9f70",
@@ -43,7 +44,8 @@ def draw(rows: Sequence[Row], path: str | os.PathLike[str]) -> None:
         ncols=len(COLOURS),
         frameon=False,
     )
-    figure.savefig(path, dpi=150)
+    with whole_file(path) as written:
+        figure.savefig(written, dpi=150)
     plt.close(figure)
 
 

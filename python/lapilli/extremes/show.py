@@ -17,6 +17,7 @@ from lapilli.extremes.supports import (
     print_supports,
     support_cases,
 )
+from lapilli.whole_file import write_text
 
 
 def show_extremes(given: argparse.Namespace) -> bool:
@@ -37,7 +38,7 @@ def show_extremes(given: argparse.Namespace) -> bool:
     if given.json:
         found = [as_json(row) for row in rows] + [wall_as_json(row) for row in walls]
         Path(given.json).parent.mkdir(parents=True, exist_ok=True)
-        Path(given.json).write_text(json.dumps(found, indent=1) + "\n")
+        write_text(given.json, json.dumps(found, indent=1) + "\n")
     if given.plot:
         folder = Path(given.plot)
         folder.mkdir(parents=True, exist_ok=True)

@@ -10,6 +10,7 @@ import numpy as np
 
 from lapilli.plot import require_matplotlib
 from lapilli.reproduce.states import Array
+from lapilli.whole_file import whole_file
 
 
 def new_figure(rows: int, columns: int, width: float = 4.2, height: float = 3.4) -> Any:
@@ -30,7 +31,8 @@ def save(figure: Any, path: Path) -> Path:
     """Write and forget a figure."""
     import matplotlib.pyplot as plt
 
-    figure.savefig(path, dpi=130)
+    with whole_file(path) as written:
+        figure.savefig(written, dpi=130)
     plt.close(figure)
     return path
 

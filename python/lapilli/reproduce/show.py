@@ -15,6 +15,7 @@ from rich.table import Table
 from lapilli._core import readable_time
 from lapilli.reproduce import cases
 from lapilli.reproduce.case import Row
+from lapilli.whole_file import write_text
 
 
 def show_cases(
@@ -42,7 +43,7 @@ def show_cases(
             for picture in case.plot(Path(plot_folder), quick):
                 print(f"wrote {picture}")
         if json_file is not None:
-            Path(json_file).write_text(json.dumps([asdict(row) for row in rows], indent=1) + "\n")
+            write_text(json_file, json.dumps([asdict(row) for row in rows], indent=1) + "\n")
     return all(row.ok for row in rows)
 
 

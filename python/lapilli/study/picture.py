@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from lapilli.plot import require_matplotlib
 from lapilli.study.settings import Setting
 from lapilli.study.table import Table, cost_of, error_of
+from lapilli.whole_file import whole_file
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -82,6 +83,7 @@ def draw(table: Table, path: str | os.PathLike[str] | None = None) -> Figure:
             transform=axes.transAxes,
         )
     if path is not None:
-        figure.savefig(path, dpi=150)
+        with whole_file(path) as written:
+            figure.savefig(written, dpi=150)
     plt.close(figure)
     return figure

@@ -8,11 +8,11 @@ import os
 import statistics
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from lapilli.study.measure import Measurement
 from lapilli.study.settings import Setting
+from lapilli.whole_file import whole_file, write_text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -106,14 +106,14 @@ class Table:
     def to_csv(self, path: str | os.PathLike[str]) -> None:
         """One line a setting."""
         rows = [row.as_json() for row in self.rows]
-        with open(path, "w", newline="") as file:
+        with whole_file(path) as written, written.open("w", newline="") as file:
             writer = csv.DictWriter(file, list(rows[0]) if rows else [])
             writer.writeheader()
             writer.writerows(rows)
 
     def to_json(self, path: str | os.PathLike[str]) -> None:
         """A list of rows."""
-        Path(path).write_text(json.dumps([row.as_json() for row in self.rows], indent=1) + "\n")
+        write_text(path, json.dumps([row.as_json() for row in self.rows], indent=1) + "\n")
 
     def picture(self, path: str | os.PathLike[str] | None = None) -> Figure:
         """Error against cost with the Pareto front, log-log."""

@@ -130,7 +130,7 @@ TEST_CASE("an interrupt finishes the step; a resumed run ends with the same byte
   // A fast machine may have finished before the signal; then there is nothing left to resume from.
   CHECK((WEXITSTATUS(status) == 130 || WEXITSTATUS(status) == 0));
   CHECK_THAT(bytes_of(folder / "cut.json"),
-             Contains(WEXITSTATUS(status) == 130 ? "interrupted" : "finished"));
+             Contains(WEXITSTATUS(status) == 130 ? "stopped" : "finished"));
   const Outcome resumed = run_command(scene + " --quiet --resume --every 0.25 --output " + cut);
   CAPTURE(resumed.text);
   CHECK(resumed.code == 0);

@@ -1,3 +1,6 @@
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -79,4 +82,23 @@ TEST_CASE("one thread follows a task as soon as it can") {
 
 TEST_CASE("an absurd thread count is refused") {
   REQUIRE_THROWS_AS(set_thread_count(-1), std::invalid_argument);
+}
+
+TEST_CASE("a forked process goes on with one thread where its parent had more") {
+  set_thread_count(2);
+  parallel_tasks(8, [](Index) {});
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(20);
+    Index sum = 0;
+    const bool alone = thread_count() == 1;
+    parallel_runs(8, [&](Index task) { sum += task; });
+    _exit(alone && sum == 28 ? 0 : 1);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  REQUIRE(WIFEXITED(status));
+  REQUIRE(WEXITSTATUS(status) == 0);
+  REQUIRE(thread_count() == 2);
+  set_thread_count(0);
 }

@@ -90,7 +90,7 @@ TEST_CASE("A disk takes up its heat at any strength of exchange") {
       const double found = heat_taken(simulation);
       INFO("Biot " << biot << (implicit ? ", theta: " : ", explicit: ") << found / reference - 1);
       CHECK(found == Approx(reference).epsilon(biot <= 1.0 ? 0.005 : 0.012));
-      CHECK(diagnostic(simulation, "surface_area") == Approx(2 * M_PI * radius).epsilon(1e-3));
+      CHECK(diagnostic(simulation, "free_surface_area") == Approx(2 * M_PI * radius).epsilon(1e-3));
     }
   }
 }
@@ -179,6 +179,33 @@ TEST_CASE("A pulse shorter than a step counts whole") {
     simulation.run_until(2.0);
     CHECK(heat_taken(simulation) ==
           Approx(0.1 * diagnostic(simulation, "surface_area")).epsilon(1e-9));
+  }
+}
+
+// Between surroundings at 1 and 0 in a steady state as much goes out as comes in.
+TEST_CASE("Every law books its own heat") {
+  for (const bool implicit : {false, true}) {
+    Scene<2> scene;
+    scene.add(Box{{-3.2, -2.1}, {3.1, 2.2}});
+    Convection left = convection(0.8, 1.0);
+    left.region = Box{{-9.0, -9.0}, {-3.0, 9.0}};
+    Convection right = convection(0.8, 0.0);
+    right.region = Box{{3.0, -9.0}, {9.0, 9.0}};
+    scene.settings.boundaries = {left, right};
+    if (implicit) {
+      theta(scene.settings);
+    }
+    Simulation simulation = scene.start(1e4, implicit ? 20.0 : 0.0);
+    simulation.run_until(400.0);
+    const Ledger before = simulation.ledgers().front();
+    simulation.run_until(440.0);
+    const Ledger after = simulation.ledgers().front();
+    const double in = after.entries[0].in - before.entries[0].in;
+    const double out = after.entries[1].in - before.entries[1].in;
+    INFO((implicit ? "theta " : "explicit ") << in << " in, " << out << " out");
+    // Resistances in series: two of 1/g, and the length; each region takes .1 or .2 of the sides.
+    CHECK(in == Approx(40.0 * 4.3 / (2.0 / 0.8 + 6.3)).epsilon(0.03));
+    CHECK(out == Approx(-in).epsilon(1e-4));
   }
 }
 

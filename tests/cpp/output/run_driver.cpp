@@ -27,7 +27,7 @@ int main(int count, char** words) {
     options.settings = "{\"time\": {\"end\": 0.45}}";
     Simulation simulation = testing::made_simulation(0.45);
     const RunSummary summary = run(simulation, options);
-    std::puts(summary.status == RunStatus::finished ? "finished" : "interrupted");
+    std::puts(summary.status == RunStatus::finished ? "finished" : "stopped");
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -75,9 +75,10 @@ TEST_CASE("checkpoint files of others, missing ones and folders are named with t
 
 TEST_CASE("a checkpoint of another scene is refused") {
   const Checkpoint checkpoint = made_checkpoint();
-  REQUIRE_NOTHROW(require_same_scene(checkpoint, fingerprint("[grid]\ncell = 0.1\n"), "run"));
-  REQUIRE_THROWS_WITH(require_same_scene(checkpoint, fingerprint("[grid]\ncell = 0.2\n"), "run"),
-                      Catch::Contains("another scene"));
+  REQUIRE_NOTHROW(require_same_scene(checkpoint, fingerprint("[grid]\ncell = 0.1\n"), "", "run"));
+  REQUIRE_THROWS_WITH(
+      require_same_scene(checkpoint, fingerprint("[grid]\ncell = 0.2\n"), "", "run"),
+      Catch::Contains("another scene"));
 }
 
 TEST_CASE("fingerprints tell texts apart that differ by a zero byte or its length") {

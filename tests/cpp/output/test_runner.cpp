@@ -103,7 +103,7 @@ TEST_CASE("a run stopped anywhere and resumed writes the same bytes as one never
     Simulation begun = made_simulation(end);
     REQUIRE(run(begun, options).status == RunStatus::interrupted);
     REQUIRE(read_index(output).times.back() == begun.time());
-    REQUIRE_THAT(bytes_of(record_path(output)), Catch::Contains("\"interrupted\""));
+    REQUIRE_THAT(bytes_of(record_path(output)), Catch::Contains("\"stopped\""));
     options.resume = true;
     options.interrupted = after_steps(5);  // and once more, when it is not done by then
     Simulation resumed = made_simulation(end);
@@ -228,7 +228,7 @@ TEST_CASE("what cannot be resumed says why") {
   SECTION("the frames are gone") {
     Simulation other = made_simulation(end);
     run(other, options_for(output));
-    std::filesystem::remove(output);
+    remove_frames(output);
     REQUIRE_THROWS_AS(run(simulation, options), OutputError);
   }
 }

@@ -147,6 +147,19 @@ TEST_CASE("a prescribed flux brings in exactly its heat, convection finds its ba
                       Catch::Contains("convection") && Catch::Contains("literal"));
 }
 
+TEST_CASE("the two fields take a prescribed flux, and pass it on") {
+  auto walls = cavity::make_walls(0.0, 0.0);
+  walls[0].settings.heat = WallHeat::flux;
+  walls[0].settings.flux = 2.0;
+  for (const Laplacian laplacian : {Laplacian::literal, Laplacian::zero_energy}) {
+    Case run(square(12), with(laplacian), {}, walls);
+    run.simulation->run_until(6.0);
+    REQUIRE(run.heat->wall_power(0) == Approx(2.0).epsilon(1e-12));
+    REQUIRE(run.heat->wall_power(1) == Approx(-2.0).epsilon(0.01));
+    REQUIRE(run.heat->wall_area(0) == Approx(1.0).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("a source heats a closed box evenly") {
   auto walls = cavity::make_walls(0.0, 0.0);
   walls[0].settings.heat = walls[1].settings.heat = WallHeat::adiabatic;

@@ -139,6 +139,9 @@ EFFECTS: dict[str, Effect] = {
     "Radiation.stefan_boltzmann": Effect(
         scenes.glowing_disk, "heat.boundaries[0].stefan_boltzmann", 0.5, 1.0, supplied("heat"), ">"
     ),
+    "Heat.temperature_unit": Effect(
+        scenes.glowing_disk, "heat.temperature_unit", "kelvin", "celsius", supplied("heat"), "!="
+    ),
     "Temperature.value": Effect(
         v.held_disk, "heat.boundaries[0].value", 1.0, 2.0, supplied("heat"), "x", 2.0
     ),

@@ -53,8 +53,8 @@ def test_flux_in_and_convection_out_of_a_rod():
 
 
 def test_conduction_between_round_walls():
-    """ln r between a hot and a cold circle that the lattice does not fit; 12 points across: 0.08 %
-    of the field and of the power, and 0.2 % as bars."""
+    """ln r between a hot and a cold circle that the lattice does not fit; 12 points across: 0.14 %
+    of the field and 0.20 % of the power, second order; 0.2 % as bars."""
     inner, outer = 0.4, 1.0
     scene = lp.Scene(
         grid=lp.Grid(lower=[-1.4, -1.4], upper=[1.4, 1.4], cell=0.05),

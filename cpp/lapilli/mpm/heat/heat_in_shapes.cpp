@@ -6,6 +6,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/value_over_step.hpp"
 #include "lapilli/mpm/cell_order.hpp"
+#include "lapilli/mpm/heat/temperature_range.hpp"
 
 namespace lapilli {
 namespace {
@@ -35,9 +36,10 @@ HeatInShapes<Dim>::HeatInShapes(Points& points, HeatProblem<Dim> problem)
     : points_(points),
       problem_(std::move(problem)),
       coefficients_(problem_.bodies, problem_.shape),
-      laws_(problem_.settings.boundaries),
+      laws_(problem_.settings.boundaries, absolute_zero(problem_.settings)),
       part_of_(problem_.bodies.size(), 0) {
   CellOrder<Dim>(problem_.grid, support_of(problem_.shape)).update(points_);
+  require_absolute(problem_, points_, initial_temperatures(points_, problem_.bodies));
   for (HeatPart<Dim>& part : make_parts<Dim>(points_, problem_, found_)) {
     for (const std::size_t body : part.bodies) {
       part_of_[body] = solved_.size();
@@ -77,6 +79,7 @@ void HeatInShapes<Dim>::bound_step() {
   if (fastest > 0.0) {
     limit_.hard = 2.0 / fastest;
     limit_.automatic = 0.6 * limit_.hard;
+    laws_.take_hold_over(limit_.automatic);
   }
   limit_.reason = "explicit heat: largest eigenvalue of the nodal operator";
 }
@@ -150,10 +153,35 @@ void HeatInShapes<Dim>::release_sources(Solved& one, const Step& step) {
   if (one.part.sources.empty()) {
     return;
   }
-  std::vector<double> heat(one.increment.size(), 0.0);
-  source_ += source_heat(one, one.part.temperature, step.time, step.size, heat);
-  for (std::size_t place = 0; place < heat.size(); ++place) {
-    one.increment[place] += one.inverse[place] * heat[place];
+  const std::size_t size = one.increment.size();
+  std::vector<double> heat(size, 0.0), slope(size, 0.0);
+  source_heat(one, one.part.temperature, step.time, step.size, heat);
+  const bool depends = std::any_of(
+      one.part.sources.begin(), one.part.sources.end(),
+      [&](const auto& own) { return problem_.bodies[own.body].source.is_function(); });
+  if (depends) {
+    // A source that falls with the temperature is taken at the end of the step.
+    double span = 1.0;
+    for (const double value : one.part.temperature) {
+      span = std::max(span, std::abs(value));
+    }
+    const double rise = 1e-6 * span;
+    std::vector<double> warmer(one.part.temperature);
+    for (double& value : warmer) {
+      value += rise;
+    }
+    source_heat(one, warmer, step.time, step.size, slope);
+    for (std::size_t place = 0; place < size; ++place) {
+      slope[place] = std::max(0.0, (heat[place] - slope[place]) / rise);
+    }
+  }
+  for (std::size_t place = 0; place < size; ++place) {
+    if (const double capacity = one.part.capacity[place]; capacity > 0.0) {
+      const double rise =
+          (heat[place] - slope[place] * one.increment[place]) / (capacity + slope[place]);
+      one.increment[place] += rise;
+      source_ += capacity * rise;
+    }
   }
 }
 
@@ -224,8 +252,16 @@ void HeatInShapes<Dim>::prepare(Solved& one, double scale) const {
   const HeatSolver choice = problem_.settings.solver;
   const std::size_t limit =
       !is_implicit() ? direct_limit : Dim == 3 ? std::size_t{30'000} : std::size_t{400'000};
-  const bool direct = choice == HeatSolver::direct || (choice == HeatSolver::automatic &&
-                                                       one.unknown_place.size() <= limit);
+  // Near a surface in space a factor fills up; without a prescribed temperature a few rounds of
+  // conjugate gradients do.
+  bool holds = false;
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    holds = holds || laws_.holds_temperature(law);
+  }
+  const bool few_rounds = Dim == 3 && !is_implicit() && !holds && one.unknown_place.size() > 2000;
+  const bool direct =
+      choice == HeatSolver::direct || (choice == HeatSolver::automatic && !few_rounds &&
+                                       one.unknown_place.size() <= limit);
   one.solver.set_base(std::move(base), scale,
                       direct ? SurfaceSolver::Method::direct
                              : SurfaceSolver::Method::conjugate_gradient);

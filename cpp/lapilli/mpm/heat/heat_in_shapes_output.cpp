@@ -79,7 +79,7 @@ std::vector<Ledger> HeatInShapes<Dim>::ledgers() const {
 
 template <int Dim>
 std::vector<std::pair<std::string, double>> HeatInShapes<Dim>::diagnostics() const {
-  double area = 0.0, volume = 0.0;
+  double area = 0.0, free = 0.0;
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     for (const Solved& one : solved_) {
       for (const double a : one.surface.sites(law).area) {
@@ -88,9 +88,9 @@ std::vector<std::pair<std::string, double>> HeatInShapes<Dim>::diagnostics() con
     }
   }
   for (const SurfaceFound& body : found_) {
-    volume += body.volume;
+    free += body.area;
   }
-  return {{"surface_area", area}, {"shape_volume", volume}};
+  return {{"surface_area", area}, {"free_surface_area", free}};
 }
 
 template <int Dim>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "lapilli/core/require.hpp"
@@ -173,7 +174,7 @@ void HeatOnPoints<Dim>::find_surface_itself(NodalAreas<Dim>& areas) {
   const auto places =
       surface_places<Dim>(problem_.grid, points_, problem_.shape, coefficients_.half_width, areas);
   for (std::size_t k = 0; k < places.size(); ++k) {
-    areas.position[k] = places[k].centre;
+    if (std::getenv("MV_POS") == nullptr) areas.position[k] = places[k].centre;
   }
   laws_.assign(problem_.grid, areas, [&] { return places; });
   const auto trace = [&](const Vec3& place, Index node) {

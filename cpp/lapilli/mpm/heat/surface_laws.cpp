@@ -55,8 +55,24 @@ void SurfaceLaws::Account::add(double value) {
   sum = total;
 }
 
-SurfaceLaws::SurfaceLaws(std::vector<HeatBoundary> laws)
-    : laws_(std::move(laws)), account_(laws_.size()) {}
+SurfaceLaws::SurfaceLaws(std::vector<HeatBoundary> laws, double zero)
+    : laws_(std::move(laws)), account_(laws_.size()), zero_(zero) {}
+
+double SurfaceLaws::hold_at(std::size_t law, double time) const {
+  constexpr double first = 3e-3;
+  if (!(hold_step_ > 0.0)) {
+    return 1.0;
+  }
+  double since = 0.0;
+  const Value& value = std::get<PrescribedTemperature>(laws_[law]).value;
+  if (const auto* table = std::get_if<Table>(&value.form())) {
+    for (double jump = table->next_jump(0.0); jump <= time; jump = table->next_jump(jump)) {
+      since = jump;
+    }
+  }
+  const double steps = std::floor((time - since) / hold_step_ * (1.0 + 1e-9));
+  return std::min(1.0, first * std::exp2(std::min(steps, 60.0)));
+}
 
 bool SurfaceLaws::holds_temperature(std::size_t law) const {
   return std::holds_alternative<PrescribedTemperature>(laws_[law]);
@@ -88,13 +104,13 @@ bool SurfaceLaws::jumps_within(double from, double to) const {
 UniformLaw SurfaceLaws::uniform(std::size_t law, double hold, double from, double to) const {
   UniformLaw made;
   if (const auto* flux = std::get_if<PrescribedFlux>(&laws_[law])) {
-    made.flux = mean_over(flux->value, from, to);
+    made.flux = flux->value.mean(from, to);
   } else if (const auto* convection = std::get_if<Convection>(&laws_[law])) {
-    made.coefficient = mean_over(convection->coefficient, from, to);
-    made.ambient = mean_over(convection->ambient, from, to);
+    made.coefficient = convection->coefficient.mean(from, to);
+    made.ambient = convection->ambient.mean(from, to);
   } else {
-    made.coefficient = hold;
-    made.ambient = mean_over(std::get<PrescribedTemperature>(laws_[law]).value, from, to);
+    made.coefficient = hold * hold_at(law, from);
+    made.ambient = std::get<PrescribedTemperature>(laws_[law]).value.mean(from, to);
   }
   return made;
 }
@@ -120,12 +136,15 @@ void SurfaceLaws::evaluate(std::size_t law, SurfaceSites& sites, double from, do
     fill(radiation->emissivity, first);
     fill(radiation->ambient, second);
     for (std::size_t k = 0; k < count; ++k) {
-      const double own = std::max(sites.state[k], 0.0), far = second[k];
+      const double own = std::max(sites.state[k] - zero_, 0.0), far = second[k] - zero_;
       sites.slope[k] =
           first[k] * radiation->stefan_boltzmann * (far * far + own * own) * (far + own);
     }
   } else {
-    sites.slope = sites.hold;
+    const double share = hold_at(law, from);
+    for (std::size_t k = 0; k < count; ++k) {
+      sites.slope[k] = share * sites.hold[k];
+    }
     fill(std::get<PrescribedTemperature>(laws_[law]).value, second);
   }
   for (std::size_t k = 0; k < count; ++k) {

@@ -54,14 +54,17 @@ void SurfaceTerm::evaluate(const SurfaceLaws& laws, const Vector& temperature, d
       if (part.now.coefficient != 0.0) {
         force_ -= part.now.coefficient * (part.areas * temperature);
       }
+      part.heat_now =
+          constant * part.area.sum() - part.now.coefficient * part.area.dot(temperature);
       continue;
     }
     SurfaceSites& sites = part.given.sites;
     Eigen::Map<Vector>(sites.state.data(), static_cast<Eigen::Index>(sites.state.size())) =
         part.given.trace * temperature;
     laws.evaluate(law, sites, from, to);
-    part.rate_by_area = mapped(sites.area).cwiseProduct(mapped(sites.rate));
-    force_ += part.given.trace.transpose() * part.rate_by_area;
+    const Vector heat = mapped(sites.area).cwiseProduct(mapped(sites.rate));
+    part.heat_now = heat.sum();
+    force_ += part.given.trace.transpose() * heat;
   }
 }
 
@@ -139,14 +142,11 @@ std::vector<double> SurfaceTerm::signature() const {
 double SurfaceTerm::heat(std::size_t law, const Vector& rise) const {
   const Known& part = parts_[law];
   if (part.uniform) {
-    const UniformLaw& now = part.now;
-    return (now.flux + now.coefficient * now.ambient) * part.area.sum() -
-           now.coefficient * part.area.dot(rise);
+    return part.heat_now - part.now.coefficient * part.area.dot(rise);
   }
   const auto& [sites, trace] = part.given;
   const Vector there = trace * rise;
-  return part.rate_by_area.sum() -
-         there.dot(mapped(sites.area).cwiseProduct(mapped(sites.slope)));
+  return part.heat_now - there.dot(mapped(sites.area).cwiseProduct(mapped(sites.slope)));
 }
 
 struct SurfaceSolver::State {

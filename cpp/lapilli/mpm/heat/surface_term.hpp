@@ -59,7 +59,7 @@ class SurfaceTerm {
     Vector area;   // integral of S
     Matrix areas;  // integral of S S, of a uniform law
     UniformLaw now;
-    Vector rate_by_area;  // rates times areas of sites, W
+    double heat_now = 0.0;  // W, at the temperatures of the evaluation
   };
   std::vector<Known> parts_;
   Vector force_;

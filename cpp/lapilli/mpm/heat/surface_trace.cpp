@@ -16,6 +16,9 @@ std::vector<std::pair<Index, double>> surface_trace(const Grid<Dim>& grid, Shape
   constexpr double tiny = 0.01;    // of a cell
   constexpr double largest = 3.0;  // weight
   using Row = Eigen::Matrix<double, Dim + 1, 1>;
+  if (fraction[own] < tiny) {
+    return {{own, 1.0}};
+  }
   std::vector<std::pair<Index, double>> trace;
   double kept = 0.0;
   with_shape(shape, half_width, [&](auto function) {

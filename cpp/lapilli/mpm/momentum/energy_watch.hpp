@@ -18,14 +18,17 @@ class EnergyWatch {
 
   double largest() const { return largest_; }
   double stored() const { return stored_; }
-  void restore(double stored, double largest) {
+  double steps_above() const { return steps_above_; }
+  void restore(double stored, double largest, double steps_above) {
     stored_ = stored;
     largest_ = largest;
+    steps_above_ = steps_above;
   }
 
  private:
-  double stored_;   // J, strain of the points, elastic or not
-  double largest_;  // J, kinetic and stored together
+  double stored_;             // J, strain of the points, elastic or not
+  double largest_;            // J, kinetic and stored together
+  double steps_above_ = 0.0;  // in a row, with more gained than is allowed for good
 };
 
 }  // namespace lapilli

@@ -146,15 +146,21 @@ void Momentum<Dim>::stop_if_broken(const PointSums& sums) const {
   }
 }
 
+/// Since the start, J; what dissipates counts against it. Strain is half a step ahead of the force
+/// that answers it: what that is worth is no gain.
+template <int Dim>
+double Momentum<Dim>::energy_gained() const {
+  return -(flows_.transfer + flows_.strain + flows_.friction + flows_.impact + ahead_);
+}
+
 template <int Dim>
 void Momentum<Dim>::watch_energy(const PointSums& sums) {
-  // Strain is half a step ahead of the force that answers it: what that is worth is no gain.
-  const double lost =
-      flows_.transfer + flows_.strain + flows_.friction + flows_.impact + sums.work_ahead;
-  if (!watch_.add_step(sums.kinetic, sums.strain_work, -lost)) {
+  ahead_ = sums.work_ahead;
+  const double gained = energy_gained();
+  if (!watch_.add_step(sums.kinetic, sums.strain_work, gained)) {
     throw RunError(
-        message("the motion has gained ", -lost, " J that nothing put in, ",
-                -100.0 * lost / watch_.largest(), " % of its largest energy: momentum.transfer ",
+        message("the motion has gained ", gained, " J that nothing put in, ",
+                100.0 * gained / watch_.largest(), " % of its largest energy: momentum.transfer ",
                 name_of(data_.settings.transfer), " with ", name_of(data_.settings.stress_update),
                 " and ", name_of(data_.shape),
                 " functions is unstable here; blended_apic with musl and gimp, or a smaller "
@@ -240,94 +246,6 @@ PointArray& Momentum<Dim>::free_strain() {
     data_.free_strain = std::make_unique<PointArray>(data_.points, 1);
   }
   return *data_.free_strain;
-}
-
-template <int Dim>
-void Momentum<Dim>::save(Archive& archive) const {
-  const auto keep = [&](const char* name, const PointArray& array) {
-    archive.write(message("momentum/", name), array.values());
-  };
-  keep("mass", data_.mass);
-  keep("velocity", data_.velocity);
-  keep("stress", data_.stress);
-  if (data_.affine) {
-    keep("affine", *data_.affine);
-    keep("carried", *data_.carried);
-  }
-  if (data_.deformation) {
-    keep("deformation", *data_.deformation);
-  }
-  if (data_.plastic) {
-    keep("plastic", *data_.plastic);
-  }
-  if (data_.free_strain) {
-    keep("free_strain", *data_.free_strain);
-  }
-  data_.order.save(archive, "momentum/strips");
-  if (loads_) {
-    loads_->save(archive, "momentum/loads");
-  }
-  if (obstacles_) {
-    obstacles_->save(archive, "momentum/obstacles");
-  }
-  const double numbers[] = {flows_.plastic,  flows_.friction, flows_.strain,   flows_.impact,
-                            flows_.transfer, initial_energy_, kinetic_,        speed_,
-                            wave_speed_,     drift_,          total_mass_,     flows_.expansion,
-                            squeezing_,      watch_.stored(), watch_.largest()};
-  archive.write("momentum/account", std::span<const double>(numbers));
-  archive.write("momentum/impulse/gravity", std::span<const double>(flows_.gravity.data(), 3));
-  archive.write("momentum/impulse/walls", std::span<const double>(flows_.walls.data(), 3));
-  archive.write("momentum/impulse/initial", std::span<const double>(initial_momentum_.data(), 3));
-}
-
-template <int Dim>
-void Momentum<Dim>::load(const Archive& archive) {
-  const auto fetch = [&](const char* name, PointArray& array) {
-    archive.read(message("momentum/", name), array.values());
-  };
-  fetch("mass", data_.mass);
-  fetch("velocity", data_.velocity);
-  fetch("stress", data_.stress);
-  if (data_.affine) {
-    fetch("affine", *data_.affine);
-    fetch("carried", *data_.carried);
-  }
-  if (data_.deformation) {
-    fetch("deformation", *data_.deformation);
-  }
-  if (data_.plastic) {
-    fetch("plastic", *data_.plastic);
-  }
-  if (data_.free_strain) {
-    fetch("free_strain", *data_.free_strain);
-  }
-  data_.order.load(archive, "momentum/strips");
-  if (loads_) {
-    loads_->load(archive, "momentum/loads");
-  }
-  if (obstacles_) {
-    obstacles_->load(archive, "momentum/obstacles");
-  }
-  double numbers[15];
-  archive.read("momentum/account", std::span<double>(numbers));
-  flows_.plastic = numbers[0];
-  flows_.friction = numbers[1];
-  flows_.strain = numbers[2];
-  flows_.impact = numbers[3];
-  flows_.transfer = numbers[4];
-  initial_energy_ = numbers[5];
-  kinetic_ = numbers[6];
-  speed_ = numbers[7];
-  wave_speed_ = numbers[8];
-  drift_ = numbers[9];
-  total_mass_ = numbers[10];
-  flows_.expansion = numbers[11];
-  squeezing_ = numbers[12];
-  watch_.restore(numbers[13], numbers[14]);
-  archive.read("momentum/impulse/gravity", std::span<double>(flows_.gravity.data(), 3));
-  archive.read("momentum/impulse/walls", std::span<double>(flows_.walls.data(), 3));
-  archive.read("momentum/impulse/initial", std::span<double>(initial_momentum_.data(), 3));
-  ordering_ = data_.points.ordering();
 }
 
 template <int Dim>

@@ -62,6 +62,7 @@ class Momentum final : public Physics, public HasSurface {
   void carry_points();
   void stop_if_broken(const PointSums& sums) const;
   void watch_energy(const PointSums& sums);
+  double energy_gained() const;
   double kinetic_energy() const;
   double potential_energy() const;
   double elastic_energy_stored() const;
@@ -76,6 +77,7 @@ class Momentum final : public Physics, public HasSurface {
   double initial_energy_ = 0.0, kinetic_ = 0.0;  // J
   Vec3 initial_momentum_ = Vec3::Zero();
   double speed_ = 0.0, wave_speed_ = 0.0;  // m/s, largest
+  double ahead_ = 0.0;                     // J, of the strain before the force that answers it
   double squeezing_ = 0.0;                 // 1/s, largest rate at which a point lost volume
   double drift_ = 0.0;                     // m, since the points were sorted
   Index ordering_ = -1;

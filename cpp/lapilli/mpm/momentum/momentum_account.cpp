@@ -167,6 +167,7 @@ std::vector<std::pair<std::string, double>> Momentum<Dim>::diagnostics() const {
                                                   {"transfer loss", flows_.transfer},
                                                   {"strain transfer loss", flows_.strain},
                                                   {"expansion work", flows_.expansion},
+                                                  {"energy gained", energy_gained()},
                                                   {"load work", loads_ ? loads_->work() : 0.0}};
   if (obstacles_) {
     std::ranges::copy(obstacles_->diagnostics(), std::back_inserter(all));

@@ -29,6 +29,7 @@ BARS = {
 POINT_BAR = 3.5e-3  # K, h = 0.2 m
 LENGTH_SHARE = 0.006
 ROTATING_BAR, ROTATING_RELATIVE_BAR = 1.5e-3, 3e-3
+CLIPPED_BAR = 1.3e-3  # K
 LATTICE_BAR = 4.4e-3  # K: the staircase encloses 0.6 % less than the square
 
 
@@ -127,14 +128,15 @@ def fine_row(angle: int) -> Row:
 
 
 def lattice_rows() -> list[Row]:
-    """Configuration B as it is, and with boundary points clipped to the square."""
+    """Configuration B as it is, and with boundary points clipped to the square: the square itself is
+    integrated, however its points fill it."""
     plain = rms(errors(next(states(lattice_scene(), [TIME])), 45))
     clipped = rms(errors(next(states(changed(lattice_scene(), "bodies.0.fill=exact"), [TIME])), 45))
     return [
         row("default, configuration B, h = 0.2 m", "RMSE at 5 s", plain,
             within(plain, LATTICE_BAR), unit="K"),
         row("configuration B, boundary points clipped, h = 0.2 m", "RMSE at 5 s", clipped,
-            (f"< {plain:.2g}", clipped < plain), unit="K"),
+            within(clipped, CLIPPED_BAR), unit="K"),
     ]  # fmt: skip
 
 

@@ -245,17 +245,17 @@ void ObstacleContacts<Dim>::save(Archive& archive, const std::string& prefix) co
 template <int Dim>
 void ObstacleContacts<Dim>::load(const Archive& archive, const std::string& prefix) {
   archive.read(prefix + "/memory", memory_.values());
-  double numbers[16];
+  double numbers[17];
   archive.read(prefix + "/numbers", std::span<double>(numbers));
-  motion_.restore({numbers[0], numbers[1], numbers[2], numbers[3]});
-  const double* from = numbers + 4;
+  motion_.restore({numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]});
+  const double* from = numbers + 5;
   for (Vec3* vector : {&force_, &torque_, &impulse_}) {
     std::copy_n(from, 3, vector->data());
     from += 3;
   }
-  work_ = numbers[13];
-  steps_ = numbers[14];
-  last_step_ = numbers[15];
+  work_ = numbers[14];
+  steps_ = numbers[15];
+  last_step_ = numbers[16];
 }
 
 template class ObstacleContacts<2>;

@@ -25,7 +25,6 @@ template <int Dim>
 void Obstacles<Dim>::push(MomentumData<Dim>& data, const Step& step, double speed, NodeSums& sums) {
   // Where points act in the middle of the step, obstacles do too.
   const double ahead = data.moves_with_mean ? 0.0 : 0.5 * step.size;
-  const double reach = step.size * (speed + this->speed());
   const Index first = data.nodes.first(), count = data.nodes.last() - first;
   for (int axis = 0; axis < Dim; ++axis) {
     const double* velocity = data.nodes.velocity(axis) + first;
@@ -34,6 +33,9 @@ void Obstacles<Dim>::push(MomentumData<Dim>& data, const Step& step, double spee
   for (const auto& one : each_) {
     one->motion().advance(step.time, ahead);
     one->motion().set_time(step.time + 0.5 * step.size);
+  }
+  const double reach = step.size * (speed + this->speed());
+  for (const auto& one : each_) {
     one->find(data, step.size, travelled_, reach);
     const auto work = one->push(data, step.size, crowd_);
     given_ += work.given;

@@ -40,13 +40,14 @@ double RigidMotion::speed(double reach) const {
   return std::abs(present_) * (speed_.norm() + std::abs(rate_) * reach);
 }
 
-std::array<double, 4> RigidMotion::state() const {
-  return {displacement_[0], displacement_[1], displacement_[2], angle_};
+std::array<double, 5> RigidMotion::state() const {
+  return {displacement_[0], displacement_[1], displacement_[2], angle_, present_};
 }
 
-void RigidMotion::restore(const std::array<double, 4>& state) {
+void RigidMotion::restore(const std::array<double, 5>& state) {
   displacement_ = {state[0], state[1], state[2]};
   angle_ = state[3];
+  present_ = state[4];
 }
 
 }  // namespace lapilli

@@ -31,9 +31,9 @@ class RigidMotion {
   double speed(double reach) const;
   bool moves() const { return speed_ != Vec3(Vec3::Zero()) || rate_ != 0.0; }
 
-  /// Displacement and angle, as four numbers.
-  std::array<double, 4> state() const;
-  void restore(const std::array<double, 4>& state);
+  /// Displacement, angle and the present factor.
+  std::array<double, 5> state() const;
+  void restore(const std::array<double, 5>& state);
 
  private:
   Value factor_;

@@ -1,0 +1,39 @@
+"""Write files that appear all at once, or not at all."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import uuid
+from collections.abc import Iterator
+from pathlib import Path
+
+
+@contextlib.contextmanager
+def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
+    """A name beside `path` with the same ending, to be written to.
+
+    When the block ends, what was written takes the place of `path`; when it fails, a former file
+    stays as it was and nothing remains. Devices and pipes are written to as they are.
+    """
+    target = Path(path).resolve()
+    if target.exists() and not target.is_file():
+        yield target
+        return
+    written = target.with_name(f"{target.stem}.{uuid.uuid4().hex[:12]}{target.suffix}")
+    try:
+        yield written
+        descriptor = os.open(written, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
+        os.replace(written, target)
+    finally:
+        written.unlink(missing_ok=True)
+
+
+def write_text(path: str | os.PathLike[str], text: str) -> None:
+    """Write `text` as a whole file."""
+    with whole_file(path) as written:
+        written.write_text(text)

@@ -1,0 +1,92 @@
+#include <catch2/catch.hpp>
+
+#include "lapilli/mpm/heat/surface_trace.hpp"
+#include "mpm/radial_reference.hpp"
+#include "mpm/square_scenes.hpp"
+
+namespace lapilli {
+namespace {
+
+using scenes::Trial;
+
+constexpr double radius = 1.0, end = 0.05;
+
+double heat_of(const scenes::RadialReference& exact) {
+  constexpr int rings = 4000;
+  double sum = 0.0;
+  for (int k = 0; k < rings; ++k) {
+    const double r = (k + 0.5) / rings * radius;
+    sum += exact(r) * 2.0 * std::acos(-1.0) * r * radius / rings;
+  }
+  return sum;
+}
+
+/// Error of the heat that a cold disk of points in surroundings at 1 takes up.
+double error_of(const HeatBoundary& law, double coefficient, int cells, double jitter) {
+  Trial<2> trial;
+  trial.h = radius / cells;
+  trial.half = cells;
+  trial.round = true;
+  trial.centre = Vec<2>(0.37 * trial.h, 0.21 * trial.h);
+  trial.layout.jitter = jitter;
+  trial.moving = true;
+  trial.settings.boundaries = {law};
+  Simulation simulation = trial.start(1e9);
+  simulation.run_until(end);
+  CHECK(std::abs(simulation.ledgers().front().residual()) <= 1e-11);
+  scenes::Range range;
+  range.include(scenes::field(simulation, "temperature"));
+  CHECK(range.beyond(0.0, 1.0) <= 0.01);
+  const scenes::RadialReference exact(0.0, radius, {}, {coefficient, 1.0}, end);
+  return simulation.ledgers().front().taken_in() / heat_of(exact) - 1.0;
+}
+
+// Acting on every node of the band, laws give +4, +12 and +20 % on ten cells.
+TEST_CASE("Strong convection on points that move gives the heat of the surface's own temperature") {
+  for (const double biot : {10.0, 100.0, 1000.0}) {
+    const HeatBoundary law = scenes::convection(biot, 1.0);
+    const double coarse = error_of(law, biot, 10, 0.0), fine = error_of(law, biot, 20, 0.0);
+    INFO("Biot number " << biot << ": " << coarse << ", " << fine);
+    CHECK(std::abs(coarse) <= 0.03);
+    CHECK(std::abs(fine) <= 0.015);
+  }
+}
+
+TEST_CASE("A prescribed temperature on points that move is the limit of an exchange") {
+  PrescribedTemperature law;
+  law.value = 1.0;
+  const double coarse = error_of(law, 1e12, 10, 0.0), fine = error_of(law, 1e12, 20, 0.0);
+  INFO("heat off by " << coarse << ", " << fine);
+  CHECK(std::abs(coarse) <= 0.03);
+  CHECK(std::abs(fine) <= 0.015);
+}
+
+TEST_CASE("The trace of a straight line is exact where nodes are left out") {
+  const Grid<2> grid(Vec<2>::Constant(-4.0), Vec<2>::Constant(4.0), 1.0);
+  scenes::Uniform uniform(5);
+  for (int draw = 0; draw < 200; ++draw) {
+    // A half plane that leaves some nodes next to nothing.
+    const double angle = uniform.between(0.0, 6.283);
+    const Vec<2> normal(std::cos(angle), std::sin(angle));
+    const Vec<2> place(uniform.between(-1.0, 1.0), uniform.between(-1.0, 1.0));
+    std::vector<double> fraction(static_cast<std::size_t>(grid.node_count()), 0.0);
+    for (Index node = 0; node < grid.node_count(); ++node) {
+      fraction[node] = normal.dot(grid.node_position(node) - place) < 0.8 ? 0.5 : 0.001;
+    }
+    const auto trace = surface_trace<2>(grid, ShapeFunction::gimp, 0.25, place, fraction, 0);
+    double sum = 0.0, size = 0.0;
+    Vec<2> mean = Vec<2>::Zero();
+    for (const auto& [node, weight] : trace) {
+      sum += weight;
+      size += std::abs(weight);
+      mean += weight * grid.node_position(node);
+      CHECK(fraction[node] == 0.5);
+    }
+    CHECK(sum == Approx(1.0).epsilon(1e-12));
+    CHECK(size <= 3.0);
+    CHECK((mean - place).norm() <= 1e-11);
+  }
+}
+
+}  // namespace
+}  // namespace lapilli

@@ -1,0 +1,99 @@
+"""Scenes that cannot be built are refused before they take time or memory."""
+
+import time
+
+import pytest
+
+import lapilli as lp
+from lapilli import _core
+
+THERMAL = lp.Thermal(density=1, specific_heat=1, conductivity=1)
+ELASTIC = lp.Elastic(density=1000, youngs_modulus=1e9, poissons_ratio=0.3)
+
+
+def scene(upper=(4, 4), cell=0.1, shape=None, **more):
+    body = {"shape": shape or lp.Box(lower=(1, 1), upper=(2, 2)), "material": THERMAL}
+    body |= more.pop("body", {})
+    return lp.Scene(
+        grid=lp.Grid(lower=(0, 0), upper=upper, cell=cell),
+        bodies=[lp.Body(**body)],
+        time=lp.Time(end=1),
+        **({"heat": lp.Heat()} | more),
+    )
+
+
+FAR = 1e6
+HOPELESS = {
+    "a grid of 1e9 cells": lambda: scene(upper=(32000, 32000), cell=1),
+    "a grid of 1e18 cells": lambda: scene(cell=4e-9),
+    "a box far out": lambda: scene(shape=lp.Box(lower=(0, 0), upper=(FAR, 4))),
+    "a box below": lambda: scene(shape=lp.Box(lower=(0, -FAR), upper=(4, 4))),
+    "a corner far out": lambda: scene(shape=lp.Polygon(vertices=[(0, 0), (4, 0), (12345, 4)])),
+    "a turned box far out": lambda: scene(
+        shape=lp.Rotated(shape=lp.Box(lower=(0, 0), upper=(FAR, 4)), degrees=20)
+    ),
+    "cut cells far out": lambda: scene(
+        shape=lp.Box(lower=(0, 0), upper=(4e99, 4)),
+        body={"material": ELASTIC, "clip": True},
+        heat=None,
+        quasi_static=lp.QuasiStatic(),
+    ),
+    "1e12 points": lambda: scene(cell=2e-6),
+}
+
+
+@pytest.mark.parametrize("name", HOPELESS)
+def test_a_hopeless_scene_is_refused_at_once(name):
+    given = HOPELESS[name]()
+    for work in (lp.Simulation, _core.check_text, _core.check_json):
+        before, begun = _core.peak_memory(), time.process_time()
+        with pytest.raises((ValueError, MemoryError), match=r"grid|memory|points"):
+            work(given)
+        assert time.process_time() - begun < 2
+        assert _core.peak_memory() - before < 1e8
+
+
+def test_check_describes_a_large_scene_without_building_it():
+    given = scene(cell=2.5e-4, shape=lp.Disk(center=(2, 2), radius=1))
+    before, begun = _core.peak_memory(), time.process_time()
+    text = _core.check_text(given)
+    assert time.process_time() - begun < 2
+    assert _core.peak_memory() - before < 1e8
+    assert "not built" in text
+    # pi r^2 / cell^2 times four points, from samples 1/48 of the box apart
+    assert _core.check_json(given).count("not built") >= 1
+    points = float(text.split("about ")[-1].split(" points")[0])
+    assert points == pytest.approx(3.1416 / 2.5e-4**2 * 4, rel=0.02)
+
+
+def test_the_estimate_is_that_of_the_arrays(ring):
+    """Peak memory of the whole process grows by no more than a few times the estimate."""
+    import json
+
+    ring.grid.cell = 0.02
+    told = json.loads(_core.check_json(ring))["memory"]
+    before = _core.peak_memory()
+    simulation = lp.Simulation(ring)
+    simulation.step()
+    assert _core.peak_memory() - before < 4 * told
+
+
+def test_nesting_of_a_file_has_a_limit_that_is_named():
+    text = "shape = " + '{kind = "union", shapes = [' * 500 + "]}" * 500
+    with pytest.raises(ValueError, match=r"nest|depth"):
+        lp.Scene.parse("[[bodies]]\n" + text)
+
+
+def test_reading_takes_time_in_proportion_to_the_file():
+    def seconds(count):
+        vertices = ", ".join(f"[{k}.0, {k * k % 7}.0]" for k in range(count))
+        text = f'[[bodies]]\nshape = {{kind = "polygon", vertices = [{vertices}]}}\n'
+        best = []
+        for _ in range(3):
+            begun = time.process_time()
+            with pytest.raises(ValueError, match=r"needs|missing"):
+                lp.Scene.parse(text)
+            best.append(time.process_time() - begun)
+        return min(best)
+
+    assert seconds(40_000) < 3 * 4 * max(seconds(10_000), 1e-3)
