@@ -294,13 +294,13 @@ def growth(folder: Path, trials: int, _: random.Random) -> Counts:
 
 Attack = Callable[[Path, int, random.Random], Counts]
 ATTACKS: dict[str, tuple[Attack, int, int]] = {  # trials of the short and the long form
-    "kills": (kills, 20, 1000),
-    "damages": (damages, 60, 2000),
-    "full_disks": (full_disks, 40, 500),
-    "pairs": (pairs, 5, 200),
-    "threads": (threads, 3, 100),
-    "scenes": (scenes, 100, 100_000),
-    "growth": (growth, 20, 1000),
+    "kills": (kills, 3, 1000),
+    "damages": (damages, 40, 2000),
+    "full_disks": (full_disks, 12, 500),
+    "pairs": (pairs, 3, 200),
+    "threads": (threads, 1, 100),
+    "scenes": (scenes, 40, 100_000),
+    "growth": (growth, 8, 1000),
 }
 GOOD = {"kills", "runs", "damages", "full disks", "pairs", "refused", "scenes", "accepted"}
 

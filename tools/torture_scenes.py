@@ -65,7 +65,6 @@ cell = 0.01
 shape_function = "linear"
 [[bodies]]
 shape = {{kind = "box", lower = [0.0, 0.0], upper = [0.1, 0.1]}}
-clip = true
 points_per_cell = 16
 material = {ELASTIC}
 [quasi_static]
@@ -81,7 +80,7 @@ every_steps = 1
 [grid]
 lower = [-0.2, -0.2]
 upper = [1.2, 1.2]
-cell = 0.08
+cell = 0.1
 [[bodies]]
 shape = {{kind = "box", lower = [0.0, 0.0], upper = [1.0, 1.0]}}
 points_per_cell = 1

@@ -4,6 +4,7 @@
 
 #include <atomic>
 
+#include "lapilli/core/interruption.hpp"
 #include "lapilli/core/require.hpp"
 
 namespace lapilli {
@@ -29,7 +30,9 @@ int processors() {
 
 }  // namespace
 
+// Every loop begins by asking this, which makes it the place where a long build can be stopped.
 int thread_count() {
+  allow_interruption();
   if (has_lost_threads.load(std::memory_order_relaxed)) {
     return 1;
   }

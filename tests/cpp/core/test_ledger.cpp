@@ -15,7 +15,7 @@ TEST_CASE("A residual is measured against the largest turnover or span so far") 
   // A body that has evened out spans nothing: the span it had counts.
   CHECK(Ledger{"heat", "J", 1.0, 1.0 + 1e-13, {}, 0.0, 1.0, 2.0}.residual() ==
         Approx(0.5e-13).epsilon(0.01));
-  CHECK(Ledger{"heat", "J"}.residual() == 0.0);
+  CHECK(Ledger{"heat", "J", 0.0, 0.0, {}}.residual() == 0.0);
 }
 
 TEST_CASE("Balances that pass their bar are named") {

@@ -38,16 +38,16 @@ def test_a_signal_leaves_a_run_to_go_on_with(ring, tmp_path, front_end, number):
 
 def test_an_ignored_hangup_stays_ignored(ring, tmp_path):
     ring.save(str(tmp_path / "ring.toml"))
-    for words in FRONT_ENDS.values():
+    for front_end, words in FRONT_ENDS.items():
         if not Path(words[0]).exists():
             continue
-        output = tmp_path / "run.vtkhdf"
+        output = tmp_path / front_end / "run.vtkhdf"
         process = subprocess.Popen(
             ["nohup", *words, tmp_path / "ring.toml", "--quiet", f"--output={output}"],
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )
-        while process.poll() is None and not (tmp_path / "run.checkpoint").exists():
+        while process.poll() is None and not output.with_suffix(".checkpoint").exists():
             time.sleep(0.005)
         process.send_signal(signal.SIGHUP)
         assert process.wait(timeout=20) == 0

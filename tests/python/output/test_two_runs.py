@@ -163,11 +163,11 @@ def test_a_shape_that_contains_itself_is_an_error(ring):
         lambda: lp.Simulation(ring),
         lambda: _core.check_text(ring),
         lambda: ring.to_toml(),
-        lambda: repr(union),
         lambda: union.distance(np.zeros((1, 2))),
     ):
         with pytest.raises((ValueError, RecursionError)):
             use()
+    assert "..." in repr(union)
 
 
 def test_nested_shapes_cost_what_they_hold():

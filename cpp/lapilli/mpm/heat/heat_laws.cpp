@@ -140,21 +140,14 @@ void HeatLaws<Dim>::place_probes(
 
 template <int Dim>
 void HeatLaws<Dim>::place_traces(
-    const Grid<Dim>& grid,
-    const std::function<std::vector<std::pair<Index, double>>(const Vec3&, Index)>& trace,
-    const std::function<double(Index, const Vec<Dim>&)>& conductivity, double hold) {
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    Nodes& n = nodes_[law];
+    const std::function<std::vector<std::pair<Index, double>>(const Vec3&, Index)>& trace) {
+  for (Nodes& n : nodes_) {
     n.trace.clear();
     n.trace_begin.assign(1, 0);
-    n.conductance.clear();
     for (std::size_t k = 0; k < n.node.size(); ++k) {
       const auto entries = trace(n.position[k], n.node[k]);
       n.trace.insert(n.trace.end(), entries.begin(), entries.end());
       n.trace_begin.push_back(n.trace.size());
-      if (is_held(laws_[law])) {
-        n.conductance.push_back(hold * conductivity(n.node[k], n.normal[k]) / grid.cell_size());
-      }
     }
   }
 }
@@ -174,7 +167,7 @@ std::vector<NodeCoupling> HeatLaws<Dim>::couplings() const {
   constexpr std::size_t corners = 1 << Dim;
   std::vector<NodeCoupling> all;
   for (const Nodes& nodes : nodes_) {
-    for (std::size_t k = 0; !nodes.probe.empty() && k < nodes.conductance.size(); ++k) {
+    for (std::size_t k = 0; k < nodes.conductance.size(); ++k) {
       for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
         if (nodes.probe[c].first != nodes.node[k]) {
           all.push_back({nodes.node[k], nodes.probe[c].first,

@@ -62,11 +62,9 @@ class HeatLaws {
                     const std::function<double(Index, const Vec<Dim>&)>& conductivity);
 
   /// Let laws act on the temperature of the surface itself, trace(position, node) of every entry;
-  /// a prescribed temperature becomes an exchange of `hold` times conductivity / cell.
+  /// for laws without a prescribed temperature.
   void place_traces(
-      const Grid<Dim>& grid,
-      const std::function<std::vector<std::pair<Index, double>>(const Vec3&, Index)>& trace,
-      const std::function<double(Index, const Vec<Dim>&)>& conductivity, double hold);
+      const std::function<std::vector<std::pair<Index, double>>(const Vec3&, Index)>& trace);
 
   /// Replace every node number by number(node), for temperatures stored in another order.
   template <class Number>

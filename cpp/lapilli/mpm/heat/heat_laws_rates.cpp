@@ -145,8 +145,8 @@ void HeatLaws<Dim>::evaluate_held(Nodes& n) {
   constexpr std::size_t corners = 1 << Dim;
   for (std::size_t k = 0; k < n.rate.size(); ++k) {
     const double conductance = n.area[k] * n.conductance[k];
-    n.slope[k] = n.probe.empty() ? conductance : 0.0;
-    for (std::size_t c = k * corners; !n.probe.empty() && c < (k + 1) * corners; ++c) {
+    n.slope[k] = 0.0;
+    for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
       n.slope[k] += n.probe[c].first == n.node[k] ? conductance * n.probe[c].second : 0.0;
     }
     n.rate[k] = conductance * (second_[k] - n.state[k]);

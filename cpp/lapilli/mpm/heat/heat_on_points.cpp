@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 #include "lapilli/core/require.hpp"
@@ -17,9 +16,6 @@ namespace {
 // Exchange from which the temperature of the surface itself counts, coefficient h / conductivity:
 // below it, the temperatures of the nodes around serve as well and cost less.
 constexpr double strong = 0.05;
-// Exchange that stands for a prescribed temperature, in conductivity / cell: ten times more would
-// take ten times the rounds, for a heat that is right to half a percent in either case.
-constexpr double hold = 100.0;
 
 HeatTransfer chosen_transfer(const HeatSettings& settings) {
   return settings.transfer == HeatTransfer::automatic ? HeatTransfer::affine : settings.transfer;
@@ -62,7 +58,9 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
   }
   at_surface_ = transfer_ == HeatTransfer::affine && problem_.settings.implicit_exchange &&
                 problem_.settings.method == FluxMethod::virtual_flux &&
-                (laws_.has_held_temperature() || exchanges_strongly(problem_, strong));
+                // Nodes that bodies of great contrast share leave the range by it.
+                problem_.bodies.size() == 1 && !laws_.has_held_temperature() &&
+                exchanges_strongly(problem_, strong);
   if (!laws_.empty()) {
     surface_ = std::make_unique<HeatSurface<Dim>>(points_, problem_);
     if (transfer_ == HeatTransfer::flip && problem_.settings.implicit_exchange) {
@@ -173,16 +171,19 @@ template <int Dim>
 void HeatOnPoints<Dim>::find_surface_itself(NodalAreas<Dim>& areas) {
   const auto places =
       surface_places<Dim>(problem_.grid, points_, problem_.shape, coefficients_.half_width, areas);
+  // Rounded from the node, so that a shift by whole cells changes no digit.
+  const double unit = std::ldexp(problem_.grid.cell_size(), -26);
   for (std::size_t k = 0; k < places.size(); ++k) {
-    if (std::getenv("MV_POS") == nullptr) areas.position[k] = places[k].centre;
+    const Vec<Dim> node = problem_.grid.node_position(areas.node[k]);
+    const Vec<Dim> away = (places[k].centre.template head<Dim>() - node) / unit;
+    areas.position[k].template head<Dim>() = node + unit * away.array().round().matrix();
   }
   laws_.assign(problem_.grid, areas, [&] { return places; });
   const auto trace = [&](const Vec3& place, Index node) {
     return surface_trace<Dim>(problem_.grid, problem_.shape, coefficients_.half_width.front(),
                               place.template head<Dim>(), grid_.sums.fraction, node);
   };
-  laws_.place_traces(problem_.grid, trace,
-                     nodal_conductivity(points_, problem_, coefficients_, grid_.sums), hold);
+  laws_.place_traces(trace);
 }
 
 template <int Dim>

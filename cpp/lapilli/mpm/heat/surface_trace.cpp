@@ -126,7 +126,7 @@ void SurfaceSystem<Dim>::multiply(const std::vector<double>& x, double step,
 template <int Dim>
 int SurfaceSystem<Dim>::solve(HeatLaws<Dim>& laws, std::span<const double> capacity, double step,
                               std::span<double> increment) {
-  constexpr double tolerance = 1e-12;
+  constexpr double tolerance = 1e-11;  // of the first correction, K
   constexpr int most = 5000;
   number_nodes(laws, increment.size());
   gather(laws);
@@ -139,10 +139,8 @@ int SurfaceSystem<Dim>::solve(HeatLaws<Dim>& laws, std::span<const double> capac
     rise_[k] = increment[node_[k]];
   }
   // From d0: the residual is dt (E - M d0).
-  double driving = 0.0;
   for (const Site& site : sites_) {
     const double push = step * (site.rate - site.slope * at(site, rise_));
-    driving = std::max(driving, std::abs(push));
     for (std::size_t c = site.first; c < site.last; ++c) {
       residual_[place_[c]] += weight_[c] * push;
       diagonal_[place_[c]] += step * site.slope * weight_[c] * weight_[c];
@@ -155,13 +153,15 @@ int SurfaceSystem<Dim>::solve(HeatLaws<Dim>& laws, std::span<const double> capac
     for (std::size_t k = 0; k < count; ++k) {
       image_[k] = diagonal_[k] > 0.0 ? residual_[k] / diagonal_[k] : 0.0;
       dot += residual_[k] * image_[k];
-      worst = std::max(worst, std::abs(residual_[k]));
+      // In kelvin: heat that is nothing to others is much to a node of next to no capacity.
+      worst = std::max(worst, std::abs(image_[k]));
     }
   };
   double worst = 0.0;
   precondition(product, worst);
   direction_ = image_;
-  for (; worst > tolerance * driving && product > 0.0; ++round) {
+  const double target = tolerance * worst;
+  for (; worst > target && product > 0.0; ++round) {
     if (round > most) {
       throw RunError(message("heat: the conditions on the surface did not converge in ", most,
                              " rounds of conjugate gradients"));
