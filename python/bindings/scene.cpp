@@ -60,7 +60,7 @@ py::object with_part(const py::object& whole, std::span<const py::object> steps,
   const py::object& step = steps.front();
   const bool is_index = py::isinstance<py::int_>(step);
   if (py::isinstance<py::list>(whole) || py::isinstance<py::tuple>(whole)) {
-    py::list list(whole);
+    auto list = py::reinterpret_steal<py::list>(PySequence_List(whole.ptr()));  // a copy
     // One element may stand for a list of one.
     const auto index = is_index ? step.cast<std::size_t>() : std::size_t{0};
     if (index >= list.size() || (!is_index && list.size() != 1)) {

@@ -24,7 +24,7 @@ def plate(**changes: object) -> lp.Scene:
             )
         ],
         heat=lp.Heat(),
-        time=lp.Time(end=0.02),
+        time=lp.Time(end=0.02, step=0.001),
         **changes,
     )
 

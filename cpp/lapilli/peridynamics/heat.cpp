@@ -10,7 +10,8 @@
 namespace lapilli {
 namespace {
 
-constexpr Index stiffest_every = 16;  // steps
+constexpr Index stiffest_every = 16;      // steps
+constexpr double patch_tolerance = 0.03;  // of the bonds of a point
 
 }  // namespace
 
@@ -48,6 +49,7 @@ PeridynamicHeat::PeridynamicHeat(Points& points, std::shared_ptr<WallSurface> wa
       }
     }
   }
+  points_move_ = points_move;
   prescribe_walls(0.0);
   exchange_->refresh();
   find_stiffest();
@@ -244,11 +246,22 @@ std::vector<std::pair<std::string, double>> PeridynamicHeat::diagnostics() const
   std::vector<std::pair<std::string, double>> numbers;
   for (std::size_t k = 0; k < from_walls_.size(); ++k) {
     if (walls_->walls()[k].settings.heat != WallHeat::adiabatic) {
-      numbers.emplace_back(message("heat_flow_from_wall_", walls_->walls()[k].settings.name), from_walls_[k]);
+      numbers.emplace_back(message("heat_flow_from_wall_", walls_->walls()[k].settings.name),
+                           from_walls_[k]);
     }
   }
   numbers.emplace_back("bond_imbalance", exchange_->imbalance());
   return numbers;
+}
+
+std::vector<std::string> PeridynamicHeat::warnings() const {
+  const double missing = points_move_ ? 0.0 : exchange_->imbalance();
+  if (missing <= patch_tolerance) {
+    return {};
+  }
+  return {message("the bonds of a point miss its surface, or each other, by ", 100.0 * missing,
+                  " % of their own: there heat is conducted in a linear field that should rest; "
+                  "take smaller cells where the body is thin, or laplacian = \"corrected\"")};
 }
 
 }  // namespace lapilli

@@ -6,6 +6,7 @@
 
 #include "lapilli/core/physics.hpp"
 #include "lapilli/core/points.hpp"
+#include "lapilli/core/warnings.hpp"
 #include "lapilli/peridynamics/fluid.hpp"
 #include "lapilli/peridynamics/heat_exchange.hpp"
 
@@ -17,7 +18,7 @@ namespace lapilli {
 /// Euler. The capacity of a point, rho c V, is that of its first volume. Points move with the
 /// fluid, so convection needs no term. Not modelled: properties that depend on temperature,
 /// radiation, heat within walls.
-class PeridynamicHeat final : public Physics {
+class PeridynamicHeat final : public Physics, public Warnings {
  public:
   PeridynamicHeat(Points& points, std::shared_ptr<WallSurface> walls,
                   const PeridynamicHeatSettings& settings, const Fluid& fluid, bool points_move);
@@ -34,6 +35,8 @@ class PeridynamicHeat final : public Physics {
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
+  /// The patch test of points at rest: that a linear field would be given a rate.
+  std::vector<std::string> warnings() const override;
 
   const PointArray& temperature() const { return temperature_; }  // K
   PointArray& temperature() { return temperature_; }
@@ -69,7 +72,7 @@ class PeridynamicHeat final : public Physics {
   double stiffest_ = 0.0;  // 1/s, largest sum of conductances over capacity
   double source_power_ = 0.0, dissipated_power_ = 0.0;
   double initial_ = 0.0;
-  bool started_ = false, prescribed_ = false;
+  bool started_ = false, prescribed_ = false, points_move_ = false;
   std::vector<double> taken_in_;  // J: walls, source, dissipation
 };
 

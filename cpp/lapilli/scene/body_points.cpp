@@ -202,18 +202,22 @@ Bounds grid_bounds(const Scene& scene) {
 int dimension_of(const Scene& scene) { return static_cast<int>(scene.grid.lower.size()); }
 
 std::optional<Shape> placed_shape(const Body& body) {
-  if (!body.shape || !is_placed(body)) {
-    return body.shape;
+  std::optional<Shape> placed = body.shape;
+  if (placed && body.rotation != 0.0) {
+    Rotated turned;
+    turned.shape = *placed;
+    turned.degrees = body.rotation;
+    turned.center = body.rotation_center;
+    turned.axis = body.rotation_axis;
+    placed = Shape(turned);
   }
-  Rotated turned;
-  turned.shape = *body.shape;
-  turned.degrees = body.rotation;
-  turned.center = body.rotation_center;
-  turned.axis = body.rotation_axis;
-  Translated moved;
-  moved.shape = Shape(turned);
-  moved.by = body.translation;
-  return Shape(moved);
+  if (placed && !body.translation.empty()) {
+    Translated moved;
+    moved.shape = *placed;
+    moved.by = body.translation;
+    placed = Shape(moved);
+  }
+  return placed;
 }
 
 BodyLattice lattice_of(const Scene& scene, const Body& body) {

@@ -1,7 +1,7 @@
 #include "lapilli/mpm/surface/cut_shape.hpp"
 
-#include <catch2/catch.hpp>
 #include <bit>
+#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "lapilli/core/require.hpp"
@@ -110,7 +110,8 @@ TEST_CASE("Round shapes converge at second order and better") {
       CHECK(disk.area == Approx(2 * pi * radius).epsilon(share));
     }
     for (const double radius : {2.5, 5.0, 10.0}) {
-      const Found ball = measure<3>(Shape(Sphere{{0.31, 0.17, 0.41}, radius}), function, radius + 1);
+      const Found ball =
+          measure<3>(Shape(Sphere{{0.31, 0.17, 0.41}, radius}), function, radius + 1);
       INFO(name_of(function) << ", ball of " << radius << " cells: " << ball.volume << " "
                              << ball.area);
       const double share = 0.05 / (radius * radius);

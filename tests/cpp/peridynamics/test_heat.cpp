@@ -52,6 +52,8 @@ TEST_CASE("points out of line keep linear fields and conserve heat") {
   plain.simulation->fields();
   // The residual that an antisymmetric exchange leaves uncorrected on a linear field.
   REQUIRE(plain.heat->exchange().imbalance() > 0.1);
+  REQUIRE(plain.heat->warnings().size() == 1);
+  REQUIRE(run.heat->warnings().empty());
   REQUIRE(plain.conduction_error() > 1.5 * run.conduction_error());
 }
 

@@ -61,10 +61,10 @@ EFFECTS: dict[str, Effect] = {
     "Body.velocity": Effect(F, "bodies[0].velocity", (0.5, -1), (-0.5, -1), centre(0), "<"),
     # materials
     "Thermal.density": Effect(
-        v.flux_disk, "bodies[0].material.density", 1, 2, mean("temperature"), "x", 0.5
+        v.flux_disk, "bodies[0].material.density", 1, 2, mean("temperature"), "<"
     ),
     "Thermal.specific_heat": Effect(
-        v.flux_disk, "bodies[0].material.specific_heat", 1, 2, mean("temperature"), "x", 0.5
+        v.flux_disk, "bodies[0].material.specific_heat", 1, 2, mean("temperature"), "<"
     ),
     "Thermal.conductivity": Effect(
         v.auto_disk, "bodies[0].material.conductivity", 1, 2, step_size, "x", 0.5, 1e-6, steps=False
@@ -139,6 +139,9 @@ EFFECTS: dict[str, Effect] = {
     "Radiation.stefan_boltzmann": Effect(
         scenes.glowing_disk, "heat.boundaries[0].stefan_boltzmann", 0.5, 1.0, supplied("heat"), ">"
     ),
+    "Heat.temperature_unit": Effect(
+        scenes.glowing_disk, "heat.temperature_unit", "kelvin", "celsius", supplied("heat"), "!="
+    ),
     "Temperature.value": Effect(
         v.held_disk, "heat.boundaries[0].value", 1.0, 2.0, supplied("heat"), "x", 2.0
     ),
@@ -157,7 +160,8 @@ EFFECTS: dict[str, Effect] = {
     # momentum
     "Momentum.gravity": Effect(F, "momentum.gravity", (0, -10), (1, -10), centre(0), ">"),
     "Momentum.transfer": Effect(F, "momentum.transfer", "flip", "apic", VELOCITY, "!="),
-    "Momentum.pic_share": Effect(F, "momentum.pic_share", 0.05, 0.5, VELOCITY, "!="),
+    "Momentum.blend_rate": Effect(F, "momentum.blend_rate", 4.0, 40.0, VELOCITY, "!="),
+    "Momentum.pic_share": Effect(v.flip_block, "momentum.pic_share", 0.05, 0.5, VELOCITY, "!="),
     "Momentum.stress_update": Effect(F, "momentum.stress_update", "musl", "usl", VELOCITY, "!="),
     "Momentum.step_safety": Effect(
         F, "momentum.step_safety", 0.5, 0.25, step_size, "x", 0.5, steps=False
@@ -400,9 +404,7 @@ EFFECTS: dict[str, Effect] = {
         None,
         lp.HalfSpace(point=(0, 0), normal=(1, 0)),
         supplied("heat"),
-        "x",
-        0.5,
-        2e-2,
+        "<",
     ),
     "Pressure.region": Effect(
         v.loaded_block(lp.Pressure(value=1000.0)),

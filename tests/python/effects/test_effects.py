@@ -11,7 +11,9 @@ import pytest
 import lapilli as lp
 
 sys.path.insert(0, str(Path(__file__).parent))
-from registry import EFFECTS, ELSEWHERE, Effect
+from effect import Effect
+from elsewhere import ELSEWHERE
+from registry import EFFECTS
 
 sys.path.pop(0)
 

@@ -99,6 +99,11 @@ def zero_energy_fluid() -> lp.Scene:
     return scene
 
 
+def flip_block() -> lp.Scene:
+    """A block whose velocity is transferred by FLIP."""
+    return scenes.falling_block(transfer="flip")
+
+
 def resting_block() -> lp.Scene:
     """A block at rest below an even surface, with the stress of its weight."""
     scene = scenes.falling_block(gravity=(0.0, -10.0), walls=[lp.NoSlipWall(face="y_lower")])

@@ -58,20 +58,20 @@ def drawn(seed):
         held = False
     cell = feature / cells
     # From when the heat is two cells deep to when half of it is in.
-    fourier = np.exp(rng.uniform(np.log((2 * cell) ** 2), np.log(0.1 * max(feature, 4 * cell) ** 2)))
+    fourier = np.exp(
+        rng.uniform(np.log((2 * cell) ** 2), np.log(0.1 * max(feature, 4 * cell) ** 2))
+    )
     end = fourier * scale**2 / medium.diffusivity
     centre = rng.uniform(-0.5, 0.5, 2) * cell
     angle = rng.uniform(0, 360)
     shape = {
         "disk": lambda: lp.Disk(center=list(scale * centre), radius=scale),
-        "annulus": lambda: lp.Annulus(center=list(scale * centre), inner=scale * inner, outer=scale),
+        "annulus": lambda: lp.Annulus(
+            center=list(scale * centre), inner=scale * inner, outer=scale
+        ),
         "box": lambda: lp.Box(lower=list(-scale * half), upper=list(scale * half)),
     }[kind]()
-    law = (
-        lp.Temperature(value=1.0)
-        if held
-        else lp.Convection(coefficient=coefficient, ambient=1.0)
-    )
+    law = lp.Temperature(value=1.0) if held else lp.Convection(coefficient=coefficient, ambient=1.0)
     body = lp.Body(
         shape=shape,
         material=lp.Thermal(
@@ -106,7 +106,9 @@ def drawn(seed):
                 end, half_widths=widths, coefficient=coefficient, medium=medium
             )
             return field, float(mean) * 4 * np.prod(widths) * medium.capacity
-        wall = Prescribed(temperature=1.0) if held else Convection(coefficient=coefficient, ambient=1)
+        wall = (
+            Prescribed(temperature=1.0) if held else Convection(coefficient=coefficient, ambient=1)
+        )
         round_body = RadialProblem(
             inner=0.0 if kind == "disk" else scale * inner,
             outer=scale,
@@ -119,7 +121,8 @@ def drawn(seed):
         radius = np.clip(np.hypot(*x.T), round_body.inner, scale)
         return solution.temperature(radius, end), float(solution.heat_content(end))
 
-    about = f"{kind}, {cells} cells, Biot {biot:.3g}, {'held' if held else 'convection'}, Fo {fourier:.3g}"
+    exchange = "held" if held else f"Biot {biot:.3g}"
+    about = f"{kind}, {cells} cells, {exchange}, Fourier number {fourier:.3g}"
     return scene, end, exact, cells, about
 
 
@@ -135,4 +138,5 @@ def test_drawn_bodies_take_up_their_heat(seed):
     assert abs(ledger.residual) <= 1e-12, about
     assert abs((ledger.stored - ledger.initial) / heat - 1) <= bar, about
     assert np.sqrt(np.mean((simulation["temperature"] - field) ** 2)) <= bar, about
-    assert low >= -0.02 and high <= 1.02, about
+    assert low >= -0.02, about
+    assert high <= 1.02, about

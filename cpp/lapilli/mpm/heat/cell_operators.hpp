@@ -101,8 +101,7 @@ class CellOperators {
     for (const QuadraturePoint<Dim>& point : points) {
       double value[Dim][support], slope[Dim][support];
       for (int axis = 0; axis < Dim; ++axis) {
-        const double at =
-            (point.position[axis] - grid_.origin()[axis]) * grid_.inverse_cell_size();
+        const double at = (point.position[axis] - grid_.origin()[axis]) * grid_.inverse_cell_size();
         shape_.evaluate(at, first[axis], value[axis], slope[axis]);
       }
       const double weight = std::sqrt(point.weight);

@@ -34,7 +34,8 @@ void for_each_around(const Grid<Dim>& grid, Index centre, int reach, const Body&
 /// Weights of the straight line fitted to values at `offset`, taken at zero: nearest first by the
 /// fourth power of the distance. Directions along which no two leaders differ have no slope.
 template <int Dim>
-std::vector<double> fitted_weights(const std::vector<Vec<Dim>>& offset, bool& complete) {
+std::vector<double> fitted_weights(const std::vector<Vec<Dim>>& offset, bool lines,
+                                   bool& complete) {
   using Line = Eigen::Matrix<double, Dim + 1, 1>;
   using Normal = Eigen::Matrix<double, Dim + 1, Dim + 1>;
   Normal normal = Normal::Zero();
@@ -59,7 +60,7 @@ std::vector<double> fitted_weights(const std::vector<Vec<Dim>>& offset, bool& co
   std::vector<double> weights;
   double sum = 0.0;
   for (std::size_t k = 0; k < offset.size(); ++k) {
-    weights.push_back(pull[k] * at_zero.dot(basis[k]));
+    weights.push_back(lines ? pull[k] * at_zero.dot(basis[k]) : pull[k]);
     sum += weights.back();
   }
   for (double& weight : weights) {
@@ -72,7 +73,8 @@ std::vector<double> fitted_weights(const std::vector<Vec<Dim>>& offset, bool& co
 
 template <int Dim>
 Followers<Dim>::Followers(const Grid<Dim>& grid, const NodeRows<Dim>& rows,
-                          std::span<const double> volume, std::span<const unsigned char> active)
+                          std::span<const double> volume, std::span<const unsigned char> active,
+                          bool lines)
     : number_(static_cast<std::size_t>(rows.size()), -1) {
   std::vector<unsigned char> leads(active.size(), 0);
   std::vector<Index> small;
@@ -109,7 +111,7 @@ Followers<Dim>::Followers(const Grid<Dim>& grid, const NodeRows<Dim>& rows,
       if (leader.empty() || (leader.size() <= Dim && reach < farthest)) {
         continue;
       }
-      weight = fitted_weights<Dim>(offset, complete);
+      weight = fitted_weights<Dim>(offset, lines, complete);
     }
     if (leader.empty()) {
       continue;

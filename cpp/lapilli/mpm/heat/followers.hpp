@@ -8,16 +8,17 @@
 namespace lapilli {
 
 /// Nodes that have next to nothing of the body follow the nearest ones that have more:
-/// T_follower = sum of weight T_leader, a straight line through the leaders. Sums over nodes and the
-/// symmetry of operators stay: C' = P^T C, K' = P^T K P.
+/// T_follower = sum of weight T_leader, a straight line through the leaders. Sums over nodes and
+/// the symmetry of operators stay: C' = P^T C, K' = P^T K P.
 template <int Dim>
 class Followers {
  public:
   Followers() = default;
   /// `volume` (m^Dim) and `active` by node of the grid. Nodes below a hundredth of a full cell
-  /// follow, or of the fullest node around where the body is thinner than that.
+  /// follow, or of the fullest node around where the body is thinner than that. Without `lines`
+  /// they follow the mean of their leaders, whose capacities then stay positive whatever they are.
   Followers(const Grid<Dim>& grid, const NodeRows<Dim>& rows, std::span<const double> volume,
-            std::span<const unsigned char> active);
+            std::span<const unsigned char> active, bool lines = true);
 
   struct Leader {
     Index place;

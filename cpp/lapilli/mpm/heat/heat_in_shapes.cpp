@@ -18,7 +18,8 @@ constexpr std::size_t direct_limit = 60'000;
 
 template <int Dim>
 bool HeatInShapes<Dim>::suits(const HeatProblem<Dim>& problem) {
-  // Who sets the nodal normals, or exchange at the start of the step, wants the operators of points.
+  // Who sets the nodal normals, or exchange at the start of the step, wants the operators of
+  // points.
   const HeatSettings& settings = problem.settings;
   const HeatSettings usual;
   const bool untouched = settings.normal_smoothing == usual.normal_smoothing &&
@@ -68,20 +69,33 @@ HeatInShapes<Dim>::HeatInShapes(Points& points, HeatProblem<Dim> problem)
 
 template <int Dim>
 void HeatInShapes<Dim>::bound_step() {
-  if (is_implicit()) {
-    limit_.reason = "the theta scheme has no limit";
-    return;
-  }
   double fastest = 0.0;
   for (const Solved& one : solved_) {
     fastest = std::max(fastest, fastest_rate(one.part));
   }
+  const double hard = fastest > 0.0 ? 2.0 / fastest : limit_.hard;
   if (fastest > 0.0) {
-    limit_.hard = 2.0 / fastest;
-    limit_.automatic = 0.6 * limit_.hard;
-    laws_.take_hold_over(limit_.automatic);
+    laws_.take_hold_over(0.6 * hard);
   }
+  if (is_implicit()) {
+    limit_.reason = "the theta scheme has no limit";
+    return;
+  }
+  limit_.hard = hard;
+  limit_.automatic = 0.6 * hard;
   limit_.reason = "explicit heat: largest eigenvalue of the nodal operator";
+}
+
+template <int Dim>
+StepLimit HeatInShapes<Dim>::step_limit() const {
+  // What has just begun goes as the root of the time: steps grow with the time since.
+  constexpr double smallest = 1.0 / 16.0, growth = 0.25;
+  StepLimit limit = limit_;
+  const double since = time_ - laws_.last_jump(time_);
+  if (!is_implicit() && !laws_.empty() && std::isfinite(limit.automatic)) {
+    limit.automatic *= std::clamp(growth * since / limit_.automatic, smallest, 1.0);
+  }
+  return limit;
 }
 
 template <int Dim>
@@ -109,6 +123,7 @@ StepReport HeatInShapes<Dim>::advance(const Step& step) {
     exchange_with_surroundings(one, step);
     finish(one);
   }
+  time_ = step.time + step.size;
   if (step.look || step.index % 128 == 0) {
     require_finite();
   }
@@ -120,12 +135,12 @@ void HeatInShapes<Dim>::conduct(Solved& one, double step) const {
   const double* inverse = one.inverse.data();
   double* increment = one.increment.data();
   // Followers receive heat instead of a rise, and hand it on.
-  one.part.conduction->multiply(
-      one.part.temperature.data(), [=](Index place, int count, const auto& product) {
-        for (int k = 0; k < count; ++k) {
-          increment[place + k] = -step * inverse[place + k] * product[k];
-        }
-      });
+  one.part.conduction->multiply(one.part.temperature.data(),
+                                [=](Index place, int count, const auto& product) {
+                                  for (int k = 0; k < count; ++k) {
+                                    increment[place + k] = -step * inverse[place + k] * product[k];
+                                  }
+                                });
   one.part.followers.hand_on(one.increment, one.inverse);
 }
 
@@ -156,9 +171,9 @@ void HeatInShapes<Dim>::release_sources(Solved& one, const Step& step) {
   const std::size_t size = one.increment.size();
   std::vector<double> heat(size, 0.0), slope(size, 0.0);
   source_heat(one, one.part.temperature, step.time, step.size, heat);
-  const bool depends = std::any_of(
-      one.part.sources.begin(), one.part.sources.end(),
-      [&](const auto& own) { return problem_.bodies[own.body].source.is_function(); });
+  const bool depends =
+      std::any_of(one.part.sources.begin(), one.part.sources.end(),
+                  [&](const auto& own) { return problem_.bodies[own.body].source.is_function(); });
   if (depends) {
     // A source that falls with the temperature is taken at the end of the step.
     double span = 1.0;
@@ -190,8 +205,7 @@ void HeatInShapes<Dim>::exchange_with_surroundings(Solved& one, const Step& step
   if (one.surface.empty() || one.unknown_place.empty()) {
     return;
   }
-  one.surface.evaluate(laws_, gather(one, one.part.temperature), step.time,
-                       step.time + step.size);
+  one.surface.evaluate(laws_, gather(one, one.part.temperature), step.time, step.time + step.size);
   const SurfaceTerm::Vector before = gather(one, one.increment);
   const SurfaceTerm::Vector capacity = gather(one, one.part.capacity);
   SurfaceTerm::Vector rise;
@@ -250,8 +264,9 @@ void HeatInShapes<Dim>::prepare(Solved& one, double scale) const {
   stored.setFromTriplets(diagonal.begin(), diagonal.end());
   base += stored;
   const HeatSolver choice = problem_.settings.solver;
-  const std::size_t limit =
-      !is_implicit() ? direct_limit : Dim == 3 ? std::size_t{30'000} : std::size_t{400'000};
+  const std::size_t limit = !is_implicit() ? direct_limit
+                            : Dim == 3     ? std::size_t{30'000}
+                                           : std::size_t{400'000};
   // Near a surface in space a factor fills up; without a prescribed temperature a few rounds of
   // conjugate gradients do.
   bool holds = false;
@@ -260,11 +275,11 @@ void HeatInShapes<Dim>::prepare(Solved& one, double scale) const {
   }
   const bool few_rounds = Dim == 3 && !is_implicit() && !holds && one.unknown_place.size() > 2000;
   const bool direct =
-      choice == HeatSolver::direct || (choice == HeatSolver::automatic && !few_rounds &&
-                                       one.unknown_place.size() <= limit);
-  one.solver.set_base(std::move(base), scale,
-                      direct ? SurfaceSolver::Method::direct
-                             : SurfaceSolver::Method::conjugate_gradient);
+      choice == HeatSolver::direct ||
+      (choice == HeatSolver::automatic && !few_rounds && one.unknown_place.size() <= limit);
+  one.solver.set_base(
+      std::move(base), scale,
+      direct ? SurfaceSolver::Method::direct : SurfaceSolver::Method::conjugate_gradient);
 }
 
 template class HeatInShapes<1>;

@@ -23,7 +23,7 @@ class HeatInShapes final : public Physics, public HasSurface {
   static bool suits(const HeatProblem<Dim>& problem);
 
   std::string name() const override { return "heat"; }
-  StepLimit step_limit() const override { return limit_; }
+  StepLimit step_limit() const override;
   StepReport advance(const Step& step) override;
   void refresh_output() override;
   std::vector<Field> fields() override;
@@ -75,8 +75,9 @@ class HeatInShapes final : public Physics, public HasSurface {
   StepLimit limit_;
   std::vector<SurfaceFound> found_;
   std::vector<Solved> solved_;
-  std::vector<std::size_t> part_of_;  // by body
+  std::vector<std::size_t> part_of_;     // by body
   double initial_ = 0.0, source_ = 0.0;  // J
+  double time_ = 0.0;                    // s, of the temperatures
 
   std::unique_ptr<PointArray> output_temperature_, output_flux_;  // made when first looked at
 };

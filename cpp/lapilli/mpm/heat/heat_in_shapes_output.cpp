@@ -113,6 +113,7 @@ void HeatInShapes<Dim>::save(Archive& archive) const {
   }
   archive.write("heat/initial", initial_);
   archive.write("heat/source", source_);
+  archive.write("heat/time", time_);
   laws_.save(archive, "heat/laws");
 }
 
@@ -124,6 +125,7 @@ void HeatInShapes<Dim>::load(const Archive& archive) {
   }
   initial_ = archive.read_number("heat/initial");
   source_ = archive.read_number("heat/source");
+  time_ = archive.read_number("heat/time");
   laws_.load(archive, "heat/laws");
 }
 

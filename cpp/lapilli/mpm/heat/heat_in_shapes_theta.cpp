@@ -153,7 +153,7 @@ StepReport HeatInShapes<Dim>::advance_implicitly(Solved& one, const Step& step) 
   // 1984).
   const double theta = problem_.settings.theta;
   const bool damped = theta < 1.0 && (step.index < 2 || laws_.jumps_within(step.time - step.size,
-                                                                          step.time + step.size));
+                                                                           step.time + step.size));
   const int parts = damped ? 2 : 1;
   StepReport report{step.size, 0, 0.0};
   for (int part = 0; part < parts; ++part) {
@@ -163,10 +163,10 @@ StepReport HeatInShapes<Dim>::advance_implicitly(Solved& one, const Step& step) 
   return report;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                                \
-  template void HeatInShapes<Dim>::number_all_leaders(Solved&) const;                           \
-  template void HeatInShapes<Dim>::take_implicit_step(Solved&, double, double, double,          \
-                                                      StepReport&);                             \
+#define LAPILLI_INSTANTIATE(Dim)                                                       \
+  template void HeatInShapes<Dim>::number_all_leaders(Solved&) const;                  \
+  template void HeatInShapes<Dim>::take_implicit_step(Solved&, double, double, double, \
+                                                      StepReport&);                    \
   template StepReport HeatInShapes<Dim>::advance_implicitly(Solved&, const Step&);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

@@ -2,71 +2,19 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/cell_operators.hpp"
+#include "lapilli/mpm/heat/cut_bodies.hpp"
 #include "lapilli/mpm/heat/heat_laws.hpp"
 #include "lapilli/mpm/heat/start_in_shape.hpp"
-#include "lapilli/mpm/surface/divide_pieces.hpp"
 
 namespace lapilli {
 namespace {
 
 constexpr double hold_factor = 1e4;  // of a prescribed temperature, in conductivity / cell
-
-/// A body cut by the grid, and its surface divided among the laws.
-template <int Dim>
-struct CutBody {
-  std::vector<CellCut<Dim>> cells;
-  std::vector<std::vector<SurfacePiece<Dim>>> pieces;  // by law
-  std::vector<std::size_t> touching;
-};
-
-template <int Dim>
-CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> shapes,
-                      std::size_t body, SurfaceFound& found) {
-  CutBody<Dim> made;
-  made.cells = cut_shape<Dim>(shapes[body], problem.grid, CubeLayout(problem.shape));
-  std::vector<const Shape*> regions;
-  for (const HeatBoundary& law : problem.settings.boundaries) {
-    regions.push_back(region_of(law));
-  }
-  made.pieces.resize(regions.size());
-  SurfaceDivision<Dim> division(problem.grid, shapes, body, regions, problem.walls);
-  for (const CellCut<Dim>& cell : made.cells) {
-    for (const SurfacePiece<Dim>& piece : cell.pieces) {
-      division.divide(piece, [&](int law, const SurfacePiece<Dim>& part) {
-        if (law >= 0) {
-          made.pieces[static_cast<std::size_t>(law)].push_back(part);
-        }
-        found.area += law != SurfaceDivision<Dim>::covered ? part.area() : 0.0;
-      });
-    }
-  }
-  made.touching = division.touching();
-  return made;
-}
-
-/// The bodies that touch, directly or through others, as one group each.
-std::vector<std::vector<std::size_t>> groups_of(
-    const std::vector<std::vector<std::size_t>>& touching) {
-  std::vector<std::size_t> group(touching.size());
-  std::iota(group.begin(), group.end(), std::size_t{0});
-  for (std::size_t round = 0; round < touching.size(); ++round) {
-    for (std::size_t body = 0; body < touching.size(); ++body) {
-      for (const std::size_t other : touching[body]) {
-        group[body] = group[other] = std::min(group[body], group[other]);
-      }
-    }
-  }
-  std::vector<std::vector<std::size_t>> groups(touching.size());
-  for (std::size_t body = 0; body < touching.size(); ++body) {
-    groups[group[body]].push_back(body);
-  }
-  std::erase_if(groups, [](const auto& some) { return some.empty(); });
-  return groups;
-}
 
 /// Makes one part.
 template <int Dim, class Function>
@@ -101,6 +49,11 @@ class Assembly {
     }
     part_.followers = Followers<Dim>(grid_, *part_.rows, all, active_);
     store_heat();
+    if (!leaders_keep_capacity(all)) {
+      part_.followers = Followers<Dim>(grid_, *part_.rows, all, active_, false);
+      part_.sources.clear();
+      store_heat();
+    }
     connect_surface();
     found[part_.bodies.front()].followers = static_cast<Index>(part_.followers.count());
     found[part_.bodies.front()].nodes = std::count(active_.begin(), active_.end(), 1);
@@ -243,6 +196,24 @@ class Assembly {
     part_.followers.prolong(part_.temperature);
   }
 
+  /// Whether all nodes that lead have a fifth of their own capacity and more with their followers.
+  bool leaders_keep_capacity(const std::vector<double>& volume) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t body : part_.bodies) {
+      least = std::min(least, problem_.bodies[body].material.capacity());
+    }
+    for (Index node = 0; node < grid_.node_count(); ++node) {
+      if (active_[node] == 0 || volume[node] <= 0.0) {
+        continue;
+      }
+      const Index place = part_.rows->place(node);
+      if (!part_.followers.follows(place) && part_.capacity[place] < 0.2 * least * volume[node]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   void connect_surface() {
     std::vector<Index> unknown(static_cast<std::size_t>(part_.rows->size()), -1);
     const std::size_t laws = problem_.settings.boundaries.size();
@@ -262,8 +233,7 @@ class Assembly {
         for (const SurfacePiece<Dim>& piece : cut_[body].pieces[law]) {
           Vec3 normal = Vec3::Zero();
           normal.template head<Dim>() = piece.normal;
-          const double hold =
-              hold_factor * piece.normal.dot(k * piece.normal) / grid_.cell_size();
+          const double hold = hold_factor * piece.normal.dot(k * piece.normal) / grid_.cell_size();
           for (const auto& site : piece.quadrature()) {
             const auto row = static_cast<int>(sites.area.size());
             Vec3 position = Vec3::Zero();
@@ -339,16 +309,16 @@ std::vector<HeatPart<Dim>> make_parts(const Points& points, const HeatProblem<Di
   std::vector<HeatPart<Dim>> parts;
   with_shape(problem.shape, resting_half_width, [&](auto function) {
     for (auto& bodies : groups_of(touching)) {
-      parts.push_back(Assembly<Dim, decltype(function)>(points, problem, cut, std::move(bodies),
-                                                        function)
-                          .make(found));
+      parts.push_back(
+          Assembly<Dim, decltype(function)>(points, problem, cut, std::move(bodies), function)
+              .make(found));
     }
   });
   return parts;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                                \
-  template std::vector<HeatPart<Dim>> make_parts(const Points&, const HeatProblem<Dim>&,        \
+#define LAPILLI_INSTANTIATE(Dim)                                                         \
+  template std::vector<HeatPart<Dim>> make_parts(const Points&, const HeatProblem<Dim>&, \
                                                  std::vector<SurfaceFound>&);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

@@ -32,7 +32,6 @@ struct HeatPart {
   std::vector<BodyVolume> sources;
   std::vector<SurfaceTerm::Part> surface;  // by law, with columns by unknown
   std::vector<Index> unknown_place;        // nodes near the surface that lead
-
 };
 
 /// What the assembly found, for the record.

@@ -68,10 +68,10 @@ std::vector<double> start_at_nodes(const Value& temperature, const Shape& shape,
   return values;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                               \
-  template std::vector<Vec3> places_in_shape(const Shape&, const Grid<Dim>&,                   \
-                                             std::span<const Index>);                          \
-  template std::vector<double> start_at_nodes(const Value&, const Shape&, const Grid<Dim>&,    \
+#define LAPILLI_INSTANTIATE(Dim)                                                            \
+  template std::vector<Vec3> places_in_shape(const Shape&, const Grid<Dim>&,                \
+                                             std::span<const Index>);                       \
+  template std::vector<double> start_at_nodes(const Value&, const Shape&, const Grid<Dim>&, \
                                               std::span<const Index>, std::size_t);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

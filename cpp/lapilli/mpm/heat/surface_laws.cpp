@@ -29,6 +29,15 @@ bool has_function(const HeatBoundary& law) {
                      [](const Value* value) { return value->is_function(); });
 }
 
+/// The last jump of a table up to a time, 0 where there is none.
+double jump_before(const Value& value, double time) {
+  double last = 0.0;
+  for (double jump = value.next_jump(0.0); jump <= time; jump = value.next_jump(jump)) {
+    last = jump;
+  }
+  return last;
+}
+
 /// The slope of a function of the temperature, by a difference: a flux that falls with the
 /// temperature is taken at the end of the step like convection.
 void find_slope(const Value& flux, SurfaceSites& sites, double from, double to) {
@@ -58,20 +67,27 @@ void SurfaceLaws::Account::add(double value) {
 SurfaceLaws::SurfaceLaws(std::vector<HeatBoundary> laws, double zero)
     : laws_(std::move(laws)), account_(laws_.size()), zero_(zero) {}
 
-double SurfaceLaws::hold_at(std::size_t law, double time) const {
+double SurfaceLaws::hold_over(std::size_t law, double from, double to) const {
   constexpr double first = 3e-3;
-  if (!(hold_step_ > 0.0)) {
+  if (!(hold_span_ > 0.0)) {
     return 1.0;
   }
   double since = 0.0;
-  const Value& value = std::get<PrescribedTemperature>(laws_[law]).value;
-  if (const auto* table = std::get_if<Table>(&value.form())) {
-    for (double jump = table->next_jump(0.0); jump <= time; jump = table->next_jump(jump)) {
-      since = jump;
+  for (const Value* value : values_of(laws_[law])) {
+    since = std::max(since, jump_before(*value, from));
+  }
+  const double spans = std::floor((0.5 * (from + to) - since) / hold_span_);
+  return std::min(1.0, first * std::exp2(std::min(spans, 60.0)));
+}
+
+double SurfaceLaws::last_jump(double time) const {
+  double last = 0.0;
+  for (const HeatBoundary& law : laws_) {
+    for (const Value* value : values_of(law)) {
+      last = std::max(last, jump_before(*value, time));
     }
   }
-  const double steps = std::floor((time - since) / hold_step_ * (1.0 + 1e-9));
-  return std::min(1.0, first * std::exp2(std::min(steps, 60.0)));
+  return last;
 }
 
 bool SurfaceLaws::holds_temperature(std::size_t law) const {
@@ -95,9 +111,8 @@ bool SurfaceLaws::is_linear() const {
 bool SurfaceLaws::jumps_within(double from, double to) const {
   return std::any_of(laws_.begin(), laws_.end(), [&](const HeatBoundary& law) {
     const auto values = values_of(law);
-    return std::any_of(values.begin(), values.end(), [&](const Value* value) {
-      return lapilli::jumps_within(*value, from, to);
-    });
+    return std::any_of(values.begin(), values.end(),
+                       [&](const Value* value) { return lapilli::jumps_within(*value, from, to); });
   });
 }
 
@@ -109,8 +124,11 @@ UniformLaw SurfaceLaws::uniform(std::size_t law, double hold, double from, doubl
     made.coefficient = convection->coefficient.mean(from, to);
     made.ambient = convection->ambient.mean(from, to);
   } else {
-    made.coefficient = hold * hold_at(law, from);
+    made.coefficient = hold;
     made.ambient = std::get<PrescribedTemperature>(laws_[law]).value.mean(from, to);
+  }
+  if (const double share = hold_over(law, from, to); share < 1.0 && hold > 0.0) {
+    made.coefficient = std::min(made.coefficient, share * hold);
   }
   return made;
 }
@@ -141,13 +159,14 @@ void SurfaceLaws::evaluate(std::size_t law, SurfaceSites& sites, double from, do
           first[k] * radiation->stefan_boltzmann * (far * far + own * own) * (far + own);
     }
   } else {
-    const double share = hold_at(law, from);
-    for (std::size_t k = 0; k < count; ++k) {
-      sites.slope[k] = share * sites.hold[k];
-    }
+    sites.slope = sites.hold;
     fill(std::get<PrescribedTemperature>(laws_[law]).value, second);
   }
+  const double share = hold_over(law, from, to);
   for (std::size_t k = 0; k < count; ++k) {
+    if (share < 1.0 && sites.hold[k] > 0.0) {
+      sites.slope[k] = std::min(sites.slope[k], share * sites.hold[k]);
+    }
     sites.rate[k] = sites.slope[k] * (second[k] - sites.state[k]);
   }
 }

@@ -22,7 +22,8 @@ struct SurfaceSites {
   std::vector<double> slope;  // W/(m^2 K), -d rate/dT for the implicit side, not negative
 };
 
-/// What a law is where it is the same all over its surface: rate = coefficient (ambient - T) + flux.
+/// What a law is where it is the same all over its surface: rate = coefficient (ambient - T) +
+/// flux.
 struct UniformLaw {
   double coefficient = 0.0;  // W/(m^2 K)
   double ambient = 0.0;      // K
@@ -39,11 +40,12 @@ class SurfaceLaws {
   /// `zero` is absolute zero in the unit of the temperatures.
   explicit SurfaceLaws(std::vector<HeatBoundary> laws, double zero = 0.0);
 
-  /// Let prescribed temperatures take hold over the first steps of this size (s) after the start and
-  /// after every jump of their tables: by 0.3 % of the full coefficient, doubled from step to step.
-  /// Explicit conduction beside a surface that is held at once throws nodes 3 % of the jump out of
-  /// the range; so it throws none, and the heat of the start is nearer to the exact.
-  void take_hold_over(double step) { hold_step_ = step; }
+  /// Let strong laws take hold over the first spans of this length (s) after the start and after
+  /// every jump of their tables: a coefficient of 30 conductivity / cell at most, doubled from span
+  /// to span. A surface that is held at once throws nodes beside it out of the range.
+  void take_hold_over(double span) { hold_span_ = span; }
+  /// The last jump of a table up to this time; the start where there is none, s.
+  double last_jump(double time) const;
 
   std::size_t size() const { return laws_.size(); }
   bool empty() const { return laws_.empty(); }
@@ -73,13 +75,13 @@ class SurfaceLaws {
     void add(double value);
   };
 
-  /// How much of its coefficient a prescribed temperature has, up to 1.
-  double hold_at(std::size_t law, double time) const;
+  /// How much of the coefficient of a prescribed temperature a law may have, up to 1.
+  double hold_over(std::size_t law, double from, double to) const;
 
   std::vector<HeatBoundary> laws_;
   std::vector<Account> account_;
   double zero_;
-  double hold_step_ = 0.0;  // s
+  double hold_span_ = 0.0;  // s
 };
 
 }  // namespace lapilli

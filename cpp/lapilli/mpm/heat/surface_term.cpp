@@ -27,10 +27,10 @@ SurfaceTerm::SurfaceTerm(const SurfaceLaws& laws, std::vector<Part> parts) {
     sites.rate.resize(sites.area.size());
     sites.slope.resize(sites.area.size());
     known.hold = sites.hold.empty() ? 0.0 : sites.hold.front();
-    const bool one_material =
-        !laws.holds_temperature(law) ||
-        std::all_of(sites.hold.begin(), sites.hold.end(),
-                    [&](double hold) { return std::abs(hold / known.hold - 1.0) < 1e-12; });
+    const bool one_material = !laws.holds_temperature(law) ||
+                              std::all_of(sites.hold.begin(), sites.hold.end(), [&](double hold) {
+                                return std::abs(hold / known.hold - 1.0) < 1e-12;
+                              });
     known.uniform = laws.is_uniform(law) && one_material;
     const auto area = mapped(sites.area);
     known.area = trace.transpose() * area;
@@ -122,8 +122,9 @@ Vector SurfaceTerm::slopes_diagonal() const {
 bool SurfaceTerm::has_slopes() const {
   return std::any_of(parts_.begin(), parts_.end(), [](const Known& part) {
     const auto& slope = part.given.sites.slope;
-    return part.uniform ? part.now.coefficient != 0.0
-                        : std::any_of(slope.begin(), slope.end(), [](double s) { return s != 0.0; });
+    return part.uniform
+               ? part.now.coefficient != 0.0
+               : std::any_of(slope.begin(), slope.end(), [](double s) { return s != 0.0; });
   });
 }
 
@@ -239,8 +240,7 @@ Vector SurfaceSolver::solve(const SurfaceTerm& term, double scale, const Vector&
   Vector x;
   s.iterations = 0;
   if (s.method == Method::conjugate_gradient) {
-    const Vector inverse =
-        (s.base.diagonal() + scale * term.slopes_diagonal()).cwiseInverse();
+    const Vector inverse = (s.base.diagonal() + scale * term.slopes_diagonal()).cwiseInverse();
     const int most = 200 + static_cast<int>(right.size());
     s.iterations = conjugate_gradients(
         multiply, [&](const Vector& r) { return Vector(inverse.cwiseProduct(r)); }, right, most, x);

@@ -44,7 +44,8 @@ class SurfaceTerm {
   Vector slopes_times(const Vector& x) const;
   Vector slopes_diagonal() const;
   bool has_slopes() const;
-  /// The numbers that slopes are made from: coefficients of uniform laws, slopes at sites of others.
+  /// The numbers that slopes are made from: coefficients of uniform laws, slopes at sites of
+  /// others.
   std::vector<double> signature() const;
   /// M made from such numbers.
   Matrix slopes(std::span<const double> signature) const;
@@ -85,7 +86,8 @@ class SurfaceSolver {
                             const SurfaceTerm::Vector& right);
   int iterations() const;  // of the last solve, 0 by the factor alone
 
-  /// The factor in use, as the numbers that it was made from: a run that is resumed goes on with it.
+  /// The factor in use, as the numbers that it was made from: a run that is resumed goes on with
+  /// it.
   void save(Archive& archive, const std::string& name) const;
   void load(const Archive& archive, const std::string& name);
 

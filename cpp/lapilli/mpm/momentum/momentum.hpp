@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "lapilli/core/warnings.hpp"
 #include "lapilli/mpm/momentum/energy_watch.hpp"
 #include "lapilli/mpm/momentum/momentum_data.hpp"
 #include "lapilli/mpm/momentum/obstacles/obstacles.hpp"
@@ -14,7 +15,7 @@ namespace lapilli {
 /// Explicit momentum balance of material points in plane strain (Dim = 2, per metre of depth) or
 /// space. Owns velocity and stress, and moves the points.
 template <int Dim>
-class Momentum final : public Physics, public HasSurface {
+class Momentum final : public Physics, public HasSurface, public Warnings {
  public:
   /// Throws std::invalid_argument for settings, materials or points out of range.
   Momentum(Points& points, const MomentumProblem<Dim>& problem);
@@ -29,6 +30,8 @@ class Momentum final : public Physics, public HasSurface {
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
+  /// Settings that make the answer depend on the numerics.
+  std::vector<std::string> warnings() const override { return lapilli::warnings(data_.settings); }
 
   // Handles for other physics. Asking for one allocates it; call before the first step.
 

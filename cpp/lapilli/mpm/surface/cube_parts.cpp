@@ -47,8 +47,7 @@ void add_convex(const Cube<2>& cube, std::span<const Cut<2>> cuts, Points<2>& po
     for (int ring = 0; ring < 2 && area > 0.0; ++ring) {
       const Vec<2> even = share[ring] * (a + b + c);
       for (const Vec<2>* corner : {&a, &b, &c}) {
-        points.push_back(
-            {even + (1.0 - 3.0 * share[ring]) * *corner, weight[ring] * area});
+        points.push_back({even + (1.0 - 3.0 * share[ring]) * *corner, weight[ring] * area});
       }
     }
   }
@@ -126,8 +125,7 @@ void trim(std::vector<Vec<Dim>>& corners, const Cut<Dim>& cut) {
       kept.push_back(here + from / (from - to) * (next - here));
     }
   }
-  corners = kept.size() < static_cast<std::size_t>(Dim) ? std::vector<Vec<Dim>>{}
-                                                        : std::move(kept);
+  corners = kept.size() < static_cast<std::size_t>(Dim) ? std::vector<Vec<Dim>>{} : std::move(kept);
 }
 
 template <int Dim>
@@ -238,8 +236,7 @@ std::vector<SurfacePiece<Dim>> surface_pieces(const Cube<Dim>& cube, const Plane
       for (std::size_t j = 0; j < fit.planes.size() && !corners.empty(); ++j) {
         if (j != k) {
           const Cut<Dim>& plane = fit.planes[j];
-          trim<Dim>(corners,
-                    fit.join == PlaneFit<Dim>::Join::all ? plane : other_side<Dim>(plane));
+          trim<Dim>(corners, fit.join == PlaneFit<Dim>::Join::all ? plane : other_side<Dim>(plane));
         }
       }
     }
@@ -254,10 +251,10 @@ std::vector<SurfacePiece<Dim>> surface_pieces(const Cube<Dim>& cube, const Plane
   return pieces;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                                \
-  template struct SurfacePiece<Dim>;                                                            \
-  template std::vector<QuadraturePoint<Dim>> volume_points(const Cube<Dim>&,                    \
-                                                           const PlaneFit<Dim>&);               \
+#define LAPILLI_INSTANTIATE(Dim)                                                  \
+  template struct SurfacePiece<Dim>;                                              \
+  template std::vector<QuadraturePoint<Dim>> volume_points(const Cube<Dim>&,      \
+                                                           const PlaneFit<Dim>&); \
   template std::vector<SurfacePiece<Dim>> surface_pieces(const Cube<Dim>&, const PlaneFit<Dim>&);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

@@ -32,9 +32,9 @@ bool on_surface(const Shape& shape, const std::vector<SurfacePiece<Dim>>& pieces
   });
 }
 
-/// In space turn the plane of a curved piece to the tangent at its middle, and move it to the mean of the
-/// surface: that leaves the tangent as the square of the way along it, on average over the piece a
-/// third of what its ends show.
+/// In space turn the plane of a curved piece to the tangent at its middle, and move it to the mean
+/// of the surface: that leaves the tangent as the square of the way along it, on average over the
+/// piece a third of what its ends show.
 template <int Dim>
 void follow_curve(const Shape& shape, double cell_size, const Cube<Dim>& cube, PlaneFit<Dim>& fit,
                   std::vector<SurfacePiece<Dim>>& pieces) {
@@ -71,8 +71,7 @@ template <int Dim>
 void add_cube(const Shape& shape, const Cube<Dim>& cube, double cell_size, int halvings_left,
               CellCut<Dim>& cell) {
   using State = typename PlaneFit<Dim>::State;
-  PlaneFit<Dim> fit =
-      fit_planes<Dim>(shape, cube, tolerance[Dim] * cell_size, halvings_left == 0);
+  PlaneFit<Dim> fit = fit_planes<Dim>(shape, cube, tolerance[Dim] * cell_size, halvings_left == 0);
   if (fit.state == State::empty) {
     return;
   }
@@ -108,8 +107,8 @@ Shape within_grid(const Shape& shape, const Grid<Dim>& grid) {
         grid.lower()[axis] + (grid.cells(axis) - 2 * Grid<Dim>::padding) * grid.cell_size();
     inside.lower.push_back(grid.lower()[axis]);
     inside.upper.push_back(upper);
-    beyond = beyond || ends.lower[axis] < grid.lower()[axis] - slack ||
-             ends.upper[axis] > upper + slack;
+    beyond =
+        beyond || ends.lower[axis] < grid.lower()[axis] - slack || ends.upper[axis] > upper + slack;
   }
   return beyond ? Shape(Intersection{{shape, Shape(inside)}}) : shape;
 }
@@ -128,8 +127,8 @@ Cube<Dim> cube_of(const Grid<Dim>& grid, const CubeLayout& layout,
   const double h = grid.cell_size();
   Cube<Dim> cube{Vec<Dim>::Zero(), h / layout.per_axis};
   for (int axis = 0; axis < Dim; ++axis, which /= layout.per_axis) {
-    cube.low[axis] = grid.origin()[axis] + (node[axis] - layout.shift) * h +
-                     which % layout.per_axis * cube.side;
+    cube.low[axis] =
+        grid.origin()[axis] + (node[axis] - layout.shift) * h + which % layout.per_axis * cube.side;
   }
   return cube;
 }
@@ -195,9 +194,9 @@ std::vector<CellCut<Dim>> cut_shape(const Shape& whole, const Grid<Dim>& grid,
   return all;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                                \
-  template Cube<Dim> cube_of(const Grid<Dim>&, const CubeLayout&,                               \
-                             const typename Grid<Dim>::Cell&, int);                             \
+#define LAPILLI_INSTANTIATE(Dim)                                                                   \
+  template Cube<Dim> cube_of(const Grid<Dim>&, const CubeLayout&, const typename Grid<Dim>::Cell&, \
+                             int);                                                                 \
   template std::vector<CellCut<Dim>> cut_shape(const Shape&, const Grid<Dim>&, const CubeLayout&);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

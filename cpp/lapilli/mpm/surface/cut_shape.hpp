@@ -24,15 +24,15 @@ inline constexpr double resting_half_width = 0.25;
 template <int Dim>
 struct CellCut {
   typename Grid<Dim>::Cell node;
-  unsigned full = 0;                          // one bit a cube that lies inside, first axis fastest
-  std::vector<QuadraturePoint<Dim>> points;   // of the volume in the other cubes, m
-  std::vector<SurfacePiece<Dim>> pieces;      // of the surface
+  unsigned full = 0;                         // one bit a cube that lies inside, first axis fastest
+  std::vector<QuadraturePoint<Dim>> points;  // of the volume in the other cubes, m
+  std::vector<SurfacePiece<Dim>> pieces;     // of the surface
 };
 
-/// The cells of a checked shape, first axis fastest, cut at its surface. Flat faces, their edges and
-/// corners are exact; curved faces within 0.1 % of a cell, in three dimensions within 2 % about
-/// their mean. What lies beyond the grid is left out. Cuts of many sheets within a sixteenth of a cell (an
-/// eighth in three dimensions) are rough.
+/// The cells of a checked shape, first axis fastest, cut at its surface. Flat faces, their edges
+/// and corners are exact; curved faces within 0.1 % of a cell, in three dimensions within 2 % about
+/// their mean. What lies beyond the grid is left out. Cuts of many sheets within a sixteenth of a
+/// cell (an eighth in three dimensions) are rough.
 template <int Dim>
 std::vector<CellCut<Dim>> cut_shape(const Shape& shape, const Grid<Dim>& grid,
                                     const CubeLayout& layout);

@@ -7,9 +7,9 @@ namespace lapilli {
 namespace {
 
 // Lengths in cells.
-constexpr double gap = 2e-3;      // bodies less apart touch
+constexpr double gap = 2e-3;  // bodies less apart touch
 constexpr double on_wall_by = 1e-6;
-constexpr double slack = 0.35;    // of a region that ends along the surface
+constexpr double slack = 0.35;  // of a region that ends along the surface
 
 template <int Dim>
 Vec3 in_space(const Vec<Dim>& place) {

@@ -13,7 +13,7 @@ namespace lapilli {
 template <int Dim>
 class SurfaceDivision {
  public:
-  static constexpr int nobody = -1;  // no law wants it
+  static constexpr int nobody = -1;   // no law wants it
   static constexpr int covered = -2;  // it rests on another body or on a wall
 
   /// `bodies` are the shapes of all bodies, of which `own` has the surface; `regions` those of the

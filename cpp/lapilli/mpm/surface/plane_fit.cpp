@@ -57,9 +57,9 @@ class Fitter {
       const bool one_side = std::all_of(depth_.begin(), depth_.end(), [&](double d) {
         return (d < 0.0) == (depth_[0] < 0.0) || std::abs(d) < tolerance_;
       });
-      found.state = !one_side          ? Fit::State::rough
+      found.state = !one_side         ? Fit::State::rough
                     : depth_[0] < 0.0 ? Fit::State::full
-                                       : Fit::State::empty;
+                                      : Fit::State::empty;
       return found;
     }
     for (const auto join : {Fit::Join::all, Fit::Join::any}) {
@@ -109,8 +109,7 @@ class Fitter {
     const double small = 1e-4 * side;
     Vec<Dim> normal = normal_at(x);
     const Vec<Dim> within = x - small * normal, beyond = x + small * normal;
-    const bool is_surface =
-        distance_at(within) < -0.5 * small && distance_at(beyond) > 0.5 * small;
+    const bool is_surface = distance_at(within) < -0.5 * small && distance_at(beyond) > 0.5 * small;
     const Vec<Dim> inner = normal_at(within), outer = normal_at(beyond);
     if (!is_surface || inner.dot(outer) < 0.999) {
       return std::nullopt;
@@ -224,8 +223,7 @@ class Fitter {
       // Distances around an edge are told by the planes on one side only.
       const bool told = planes.size() == 1 || (join == Fit::Join::all) == (depth_[k] < 0.0);
       const bool same_side = (fitted < 0.0) == (depth_[k] < 0.0);
-      if ((told && std::abs(fitted - depth_[k]) > tolerance_ &&
-           !of_another_place(k, fitted)) ||
+      if ((told && std::abs(fitted - depth_[k]) > tolerance_ && !of_another_place(k, fitted)) ||
           (!same_side && std::max(std::abs(fitted), std::abs(depth_[k])) > tolerance_)) {
         return false;
       }
@@ -246,8 +244,8 @@ class Fitter {
   }
 
   void keep_nearest(std::vector<Cut<Dim>>& planes) const {
-    const auto nearest = std::min_element(
-        planes.begin(), planes.end(), [&](const Cut<Dim>& a, const Cut<Dim>& b) {
+    const auto nearest =
+        std::min_element(planes.begin(), planes.end(), [&](const Cut<Dim>& a, const Cut<Dim>& b) {
           return std::abs(beyond(a, sample_[0])) < std::abs(beyond(b, sample_[0]));
         });
     planes = {*nearest};

@@ -39,8 +39,8 @@ struct PlaneFit {
 };
 
 /// Fit planes to a checked shape in a cube: flat faces, edges and corners where all faces bend one
-/// way are exact; curved faces within `tolerance` (m), in two dimensions as chords that join those of
-/// the neighbours. With `settle` a rough fit parts the corners of the cube as the shape does.
+/// way are exact; curved faces within `tolerance` (m), in two dimensions as chords that join those
+/// of the neighbours. With `settle` a rough fit parts the corners of the cube as the shape does.
 template <int Dim>
 PlaneFit<Dim> fit_planes(const Shape& shape, const Cube<Dim>& cube, double tolerance, bool settle);
 

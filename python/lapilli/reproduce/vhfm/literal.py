@@ -18,4 +18,5 @@ def literal(scene: Scene, step: float, method: str = "paper") -> Scene:
         "heat.implicit_exchange=false",
         "grid.shape_function=linear",
         f"time.step={step!r}",
+        *(f"bodies.{k}.fill=lattice" for k in range(len(scene.bodies))),
     )

@@ -128,8 +128,10 @@ def fine_row(angle: int) -> Row:
 
 
 def lattice_rows() -> list[Row]:
-    """Configuration B as it is, and with boundary points clipped to the square: the square itself is
-    integrated, however its points fill it."""
+    """Configuration B as it is, and with boundary points clipped to the square.
+
+    The square itself is integrated, however its points fill it.
+    """
     plain = rms(errors(next(states(lattice_scene(), [TIME])), 45))
     clipped = rms(errors(next(states(changed(lattice_scene(), "bodies.0.fill=exact"), [TIME])), 45))
     return [

@@ -22,7 +22,8 @@ struct Contact {
   double mass = 0.0;                     // kg, that an impulse here meets
   double push = 0.0;                     // N s along the normal
   Vec<Dim> drag = Vec<Dim>::Zero();      // N s along the surface
-  Vec<Dim> approach = Vec<Dim>::Zero();  // m/s at the foot before any impulse
+  Vec<Dim> start = Vec<Dim>::Zero();     // m/s at the foot, before the step
+  Vec<Dim> approach = Vec<Dim>::Zero();  // m/s, after the forces and before any impulse
 
   Vec<Dim> impulse() const { return push * normal + drag; }
 

@@ -176,32 +176,42 @@ template <int Dim>
 typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::push(MomentumData<Dim>& data,
                                                                  double step,
                                                                  std::vector<double>& crowd) {
-  Work work;
-  force_.setZero();
-  torque_.setZero();
-  double* velocity[Dim];
+  double *velocity[Dim], *increment[Dim];
   for (int axis = 0; axis < Dim; ++axis) {
     velocity[axis] = data.nodes.velocity(axis);
+    increment[axis] = data.nodes.increment(axis);
   }
   for (Contact<Dim>& contact : contacts_) {
     contact.approach = contact.at_foot(velocity);
+    contact.start = contact.approach - contact.at_foot(increment);
   }
   start_from(first, last_step_ > 0.0 ? step / last_step_ : 0.0);
   solve_contacts<Dim>(contacts_, friction_, data.nodes.mass(), velocity, crowd);
   keep(first);
+  last_step_ = step;
+  return book(velocity, step);
+}
+
+/// What the impulses of the step did: they work on the mean of the velocities before and after it.
+template <int Dim>
+typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::book(double* const (&velocity)[Dim],
+                                                                 double step) {
+  Work work;
+  force_.setZero();
+  torque_.setZero();
   for (const Contact<Dim>& contact : contacts_) {
-    const Vec<Dim> middle = 0.5 * (contact.approach + contact.at_foot(velocity));
-    const Vec<Dim> impulse = contact.impulse();
+    const Vec<Dim> after = contact.at_foot(velocity), impulse = contact.impulse();
+    const Vec<Dim> slip = 0.5 * (contact.start + after) - contact.wall;
+    work.kinetic += impulse.dot(0.5 * (contact.approach + after));
     work.given += impulse.dot(contact.wall);
-    work.impact += contact.push * contact.normal.dot(middle - contact.wall);
-    work.friction += contact.drag.dot(middle - contact.wall);
+    work.impact += contact.push * contact.normal.dot(slip);
+    work.friction += contact.drag.dot(slip);
     const Vec3 given = in_space<Dim>(impulse);
     impulse_ += given;
     force_ -= given / step;
     torque_ -= (in_space<Dim>(contact.foot) - motion_.center()).cross(given) / step;
   }
   work_ += work.given;
-  last_step_ = step;
   return work;
 }
 

@@ -28,6 +28,7 @@ class ObstacleContacts {
   /// Impulses of the step on the solved velocity: books what the obstacle gave, and returns what
   /// became of the energy.
   struct Work {
+    double kinetic = 0.0;   // J, added to the nodes after the forces
     double given = 0.0;     // J, by the motion of the obstacle
     double friction = 0.0;  // J, lost along the surface (negative)
     double impact = 0.0;    // J, lost across it
@@ -60,6 +61,7 @@ class ObstacleContacts {
   bool place_on_nodes(const MomentumData<Dim>& data, Contact<Dim>& contact) const;
   Contact<Dim> contact_at(const MomentumData<Dim>& data, Index row, const Vec3& x, double gap,
                           double step) const;
+  Work book(double* const (&velocity)[Dim], double step);
   void start_from(int which, double scale);
   void keep(int which);
 

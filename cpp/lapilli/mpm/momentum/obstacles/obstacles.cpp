@@ -41,7 +41,7 @@ void Obstacles<Dim>::push(MomentumData<Dim>& data, const Step& step, double spee
     given_ += work.given;
     sums.friction += work.friction;
     sums.impact += work.impact;
-    sums.kinetic_after += work.given + work.friction + work.impact;
+    sums.kinetic_after += work.kinetic;
   }
   const double* mass = data.nodes.mass() + first;
   for (int axis = 0; axis < Dim; ++axis) {

@@ -1,0 +1,62 @@
+#include "lapilli/mpm/heat/cut_bodies.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "lapilli/mpm/heat/heat_laws.hpp"
+#include "lapilli/mpm/surface/divide_pieces.hpp"
+
+namespace lapilli {
+
+template <int Dim>
+CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> shapes,
+                      std::size_t body, SurfaceFound& found) {
+  CutBody<Dim> made;
+  made.cells = cut_shape<Dim>(shapes[body], problem.grid, CubeLayout(problem.shape));
+  std::vector<const Shape*> regions;
+  for (const HeatBoundary& law : problem.settings.boundaries) {
+    regions.push_back(region_of(law));
+  }
+  made.pieces.resize(regions.size());
+  SurfaceDivision<Dim> division(problem.grid, shapes, body, regions, problem.walls);
+  for (const CellCut<Dim>& cell : made.cells) {
+    for (const SurfacePiece<Dim>& piece : cell.pieces) {
+      division.divide(piece, [&](int law, const SurfacePiece<Dim>& part) {
+        if (law >= 0) {
+          made.pieces[static_cast<std::size_t>(law)].push_back(part);
+        }
+        found.area += law != SurfaceDivision<Dim>::covered ? part.area() : 0.0;
+      });
+    }
+  }
+  made.touching = division.touching();
+  return made;
+}
+
+std::vector<std::vector<std::size_t>> groups_of(
+    const std::vector<std::vector<std::size_t>>& touching) {
+  std::vector<std::size_t> group(touching.size());
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  for (std::size_t round = 0; round < touching.size(); ++round) {
+    for (std::size_t body = 0; body < touching.size(); ++body) {
+      for (const std::size_t other : touching[body]) {
+        group[body] = group[other] = std::min(group[body], group[other]);
+      }
+    }
+  }
+  std::vector<std::vector<std::size_t>> groups(touching.size());
+  for (std::size_t body = 0; body < touching.size(); ++body) {
+    groups[group[body]].push_back(body);
+  }
+  std::erase_if(groups, [](const auto& some) { return some.empty(); });
+  return groups;
+}
+
+template CutBody<1> cut_body(const HeatProblem<1>&, std::span<const Shape>, std::size_t,
+                             SurfaceFound&);
+template CutBody<2> cut_body(const HeatProblem<2>&, std::span<const Shape>, std::size_t,
+                             SurfaceFound&);
+template CutBody<3> cut_body(const HeatProblem<3>&, std::span<const Shape>, std::size_t,
+                             SurfaceFound&);
+
+}  // namespace lapilli

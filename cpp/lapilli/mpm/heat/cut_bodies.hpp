@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lapilli/mpm/heat/heat_part.hpp"
+#include "lapilli/mpm/surface/cut_shape.hpp"
+
+namespace lapilli {
+
+/// A body cut by the grid, and its surface divided among the laws.
+template <int Dim>
+struct CutBody {
+  std::vector<CellCut<Dim>> cells;
+  std::vector<std::vector<SurfacePiece<Dim>>> pieces;  // by law
+  std::vector<std::size_t> touching;
+};
+
+/// Cut body number `body` of the checked `shapes`; its free surface is entered in `found`.
+template <int Dim>
+CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> shapes,
+                      std::size_t body, SurfaceFound& found);
+
+/// The bodies that touch, directly or through others, as one group each; `touching` by body.
+std::vector<std::vector<std::size_t>> groups_of(
+    const std::vector<std::vector<std::size_t>>& touching);
+
+}  // namespace lapilli
