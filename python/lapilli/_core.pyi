@@ -3,17 +3,19 @@ The compiled part of lapilli.
 """
 from __future__ import annotations
 import collections.abc
+import inspect
 import numpy
 import numpy.typing
+import os
 import typing
-__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrictionalWall', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeightField', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'MohrCoulomb', 'Momentum', 'Monitor', 'Newtonian', 'NoSlipWall', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'Pressure', 'Progress', 'QuasiStatic', 'Radiation', 'RollerWall', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'run_simulation', 'set_thread_count', 'thread_count']
+__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalWall', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeightField', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'MohrCoulomb', 'Momentum', 'Newtonian', 'NoSlipWall', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerWall', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'renamed_key', 'run_simulation', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unused_settings', 'verify']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
     """
 class Table:
     """
-    A number tabulated in time: linear between the times, constant outside them.
+    A number tabulated in time: linear between the times, constant outside them; two equal times are a jump.
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
     @staticmethod
@@ -30,12 +32,16 @@ class Table:
         ...
     def at(self, time: float) -> float:
         """
-        The value at one time.
+        The value at one time; at a jump the one after it.
+        """
+    def mean(self, begin: float, end: float) -> float:
+        """
+        The mean over a span of time, exact.
         """
     @property
     def times(self) -> tuple[float, ...]:
         """
-        times in s, increasing
+        times in s, increasing but for jumps
         """
     @property
     def values(self) -> tuple[float, ...]:
@@ -62,6 +68,7 @@ class Box(Shape):
         corner with the largest coordinates
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -102,6 +109,7 @@ class HalfSpace(Shape):
         direction pointing out of the half-space
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -142,6 +150,7 @@ class Disk(Shape):
         radius; above 0 (m)
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -184,6 +193,7 @@ class Annulus(Shape):
         radius of the rim; above 0 (m)
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -232,6 +242,7 @@ class Ellipse(Shape):
         half lengths along x and y
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -272,6 +283,7 @@ class Ellipsoid(Shape):
         half lengths along x, y and z
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -313,13 +325,14 @@ class HeightField(Shape):
     spacing : float | None, m, default None
         between heights; an ESRI grid knows it; above 0 (m)
     origin : collections.abc.Sequence[float], m, default ()
-        place of the first height of the last row; empty: that of the ESRI grid, or 0; 0 to 2 entries
+        place of the first height of the last row; empty: that of the ESRI grid, or 0
     scale : float, m, default 1.0
         height of one unit; in images that of white; above 0 (m)
     bottom : float, m, required
         where the ground ends, below all heights
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -392,6 +405,7 @@ class Sphere(Shape):
         radius; above 0 (m)
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -434,6 +448,7 @@ class Cylinder(Shape):
         radius; above 0 (m)
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -480,6 +495,7 @@ class Polygon(Shape):
         corners in order, the last joins the first
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -516,6 +532,7 @@ class Mesh(Shape):
         rows of three vertices, counted from 0
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -580,6 +597,7 @@ class Image(Shape):
         pixels below the threshold are inside instead
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -650,6 +668,7 @@ class Union(Shape):
         shapes that are joined
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -680,6 +699,7 @@ class Intersection(Shape):
         shapes whose common part is taken
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -712,6 +732,7 @@ class Difference(Shape):
         shape that is taken away
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -756,6 +777,7 @@ class Rotated(Shape):
         direction that stays, in three dimensions
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -812,6 +834,7 @@ class Translated(Shape):
         displacement
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -856,6 +879,7 @@ class Newtonian:
         at which the fluid has its density
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -914,6 +938,7 @@ class Thermal:
         thermal conductivity: a number, or xx, yy, zz, xy, yz, xz of a symmetric tensor
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -964,6 +989,7 @@ class Elastic:
         lateral contraction, in (-1, 0.5); above -1 and at most 0.5
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1022,6 +1048,7 @@ class MohrCoulomb:
         largest principal stress; the apex of the cone where it is lower; at least 0 (Pa)
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1100,6 +1127,7 @@ class ThermalExpansion:
         relative change of length per kelvin
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1130,6 +1158,7 @@ class PlasticHeating:
         share of the plastic work that becomes heat; from 0 to 1
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1164,6 +1193,7 @@ class Flux:
         shape that selects the surface
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1216,6 +1246,7 @@ class Convection:
         shape that selects the surface
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1271,13 +1302,14 @@ class Radiation:
     emissivity : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], default 1.0
         emissivity; from 0 to 1
     ambient : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, required
-        absolute temperature far away; at least 0 (K)
+        temperature far away, absolute unless temperature_unit says otherwise
     stefan_boltzmann : float, W/(m^2 K^4), default 5.670374419e-08
         Stefan-Boltzmann constant in the scene's units; above 0 (W/(m^2 K^4))
     region : Shape | None, default None
         shape that selects the surface
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1293,7 +1325,7 @@ class Radiation:
     @property
     def ambient(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
         """
-        absolute temperature far away, K
+        temperature far away, absolute unless temperature_unit says otherwise, K
         """
     @ambient.setter
     def ambient(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
@@ -1344,6 +1376,7 @@ class Temperature:
         shape that selects the surface
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1396,6 +1429,8 @@ class Heat:
         implicitness of the theta scheme; from 0.5 to 1
     solver : typing.Literal['auto', 'direct', 'cg'], default 'auto'
         linear solver of the theta scheme
+    temperature_unit : typing.Literal['kelvin', 'celsius'] | None, default None
+        unit of all temperatures, kelvin unless said; radiation needs absolute ones
     blend : float, default 4.0
         c of the step-scaled blend 1 - exp(-c dt alpha/h^2); from 0 to 1000
     normal_smoothing : int, default 2
@@ -1410,11 +1445,12 @@ class Heat:
         flux laws and held temperatures; the first region that covers a place wins
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, method: typing.Literal['virtual', 'paper', 'particle', 'node'] = ..., transfer: typing.Literal['auto', 'kept', 'affine', 'flip', 'pic', 'tpic'] = ..., stepping: typing.Literal['explicit', 'theta'] = ..., theta: float = ..., solver: typing.Literal['auto', 'direct', 'cg'] = ..., blend: float = ..., normal_smoothing: int = ..., surface_fraction: float = ..., implicit_exchange: bool = ..., corner_fit: bool = ..., boundaries: list[Flux | Convection | Radiation | Temperature] = ...) -> None:
+    def __init__(self, *, method: typing.Literal['virtual', 'paper', 'particle', 'node'] = ..., transfer: typing.Literal['auto', 'kept', 'affine', 'flip', 'pic', 'tpic'] = ..., stepping: typing.Literal['explicit', 'theta'] = ..., theta: float = ..., solver: typing.Literal['auto', 'direct', 'cg'] = ..., temperature_unit: typing.Literal['kelvin', 'celsius'] | None = ..., blend: float = ..., normal_smoothing: int = ..., surface_fraction: float = ..., implicit_exchange: bool = ..., corner_fit: bool = ..., boundaries: list[Flux | Convection | Radiation | Temperature] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -1495,6 +1531,14 @@ class Heat:
     def surface_fraction(self, value: float) -> None:
         ...
     @property
+    def temperature_unit(self) -> typing.Literal['kelvin', 'celsius'] | None:
+        """
+        unit of all temperatures, kelvin unless said; radiation needs absolute ones
+        """
+    @temperature_unit.setter
+    def temperature_unit(self, value: typing.Literal['kelvin', 'celsius'] | None) -> None:
+        ...
+    @property
     def theta(self) -> float:
         """
         implicitness of the theta scheme
@@ -1520,6 +1564,7 @@ class NoSlipWall:
         x_lower, x_upper, y_lower, y_upper, z_lower or z_upper
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1550,6 +1595,7 @@ class RollerWall:
         x_lower, x_upper, y_lower, y_upper, z_lower or z_upper
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1582,6 +1628,7 @@ class FrictionalWall:
         tangent of the angle of wall friction; at least 0
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1625,7 +1672,7 @@ class Obstacle:
     friction : float, default 0.0
         coefficient of Coulomb friction, of frictional; at least 0
     adhesion : float, Pa, default 0.0
-        shear it bears beyond friction; at least 0
+        shear it bears beyond friction; at least 0 (Pa)
     velocity : collections.abc.Sequence[float], m/s, default ()
         one number an axis; empty: none
     revolutions_per_second : float, 1/s, default 0.0
@@ -1638,6 +1685,7 @@ class Obstacle:
         multiplies the motion: a number or a table in time
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1744,6 +1792,7 @@ class Pressure:
         shape that selects the surface
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1796,6 +1845,7 @@ class Traction:
         shape that selects the surface
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1866,6 +1916,7 @@ class Momentum:
         loads on free surfaces; the first region that covers a place wins
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -1974,6 +2025,7 @@ class ImplicitWall:
         of the face along its normal into the material since time 0: a hole that widens
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -2066,15 +2118,18 @@ class SurfaceTraction:
         2D: points of an open line, the material on its left
     within : Shape | None, default None
         the part of the surface that counts; absent: all of it
-    traction : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], Pa, required
-        force per area on the material, one value an axis
+    traction : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], Pa, default ()
+        force per area on the material, one value an axis; empty: none
+    pressure : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], Pa, default 0.0
+        force per area along the normal into the material
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, name: str = ..., shape: Shape | None = ..., inside: bool = ..., line: collections.abc.Sequence[collections.abc.Sequence[float]] = ..., within: Shape | None = ..., traction: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]) -> None:
+    def __init__(self, *, name: str = ..., shape: Shape | None = ..., inside: bool = ..., line: collections.abc.Sequence[collections.abc.Sequence[float]] = ..., within: Shape | None = ..., traction: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., pressure: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -2107,6 +2162,14 @@ class SurfaceTraction:
     def name(self, value: str) -> None:
         ...
     @property
+    def pressure(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        force per area along the normal into the material, Pa
+        """
+    @pressure.setter
+    def pressure(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
     def shape(self) -> Shape | None:
         """
         shape whose surface it is
@@ -2117,7 +2180,7 @@ class SurfaceTraction:
     @property
     def traction(self) -> collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]:
         """
-        force per area on the material, one value an axis, Pa
+        force per area on the material, one value an axis; empty: none, Pa
         """
     @traction.setter
     def traction(self, value: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]) -> None:
@@ -2150,6 +2213,10 @@ class QuasiStatic:
         points keep their shape functions until one has moved this far; absent: 0.1, literal 0; from 0 to 1 (cells)
     relaxation : float | None, cells, default None
         forces that a reset of the grid leaves out of balance are taken up while points move this far; absent: 0.5, literal 0 (at once); from 0 to 100 (cells)
+    update_volumes : bool | None, default 'auto'
+        volumes of points follow their strain at each reset of the grid; absent: yes, literal no
+    b_bar : bool | None, default 'auto'
+        points take the mean dilatation of their cell, so that it does not lock; absent: those of a Poisson ratio above 0.4
     largest_penetration : float, cells, default 0.5
         a point further behind a wall fails the load step; above 0 (cells)
     body_force : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], N/m^3, default ()
@@ -2166,17 +2233,26 @@ class QuasiStatic:
         where forces act on the surface
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, wall_form: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'] = ..., bandwidth: float | None = ..., gap_bandwidth: float = ..., ghost: float | None = ..., hold_empty_cells: bool = ..., reset: float | None = ..., relaxation: float | None = ..., largest_penetration: float = ..., body_force: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., tolerance: float = ..., largest_iterations: int = ..., largest_halvings: int = ..., walls: list[ImplicitWall] = ..., tractions: list[SurfaceTraction] = ...) -> None:
+    def __init__(self, *, wall_form: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'] = ..., bandwidth: float | None = ..., gap_bandwidth: float = ..., ghost: float | None = ..., hold_empty_cells: bool = ..., reset: float | None = ..., relaxation: float | None = ..., update_volumes: bool | None | str = ..., b_bar: bool | None | str = ..., largest_penetration: float = ..., body_force: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., tolerance: float = ..., largest_iterations: int = ..., largest_halvings: int = ..., walls: list[ImplicitWall] = ..., tractions: list[SurfaceTraction] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
     def __setattr__(self, name: str, value: typing.Any) -> None:
         ...
     def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def b_bar(self) -> bool | None | str:
+        """
+        points take the mean dilatation of their cell, so that it does not lock; absent: those of a Poisson ratio above 0.4
+        """
+    @b_bar.setter
+    def b_bar(self, value: bool | None | str) -> None:
         ...
     @property
     def bandwidth(self) -> float | None:
@@ -2275,6 +2351,14 @@ class QuasiStatic:
     def tractions(self, value: list[SurfaceTraction]) -> None:
         ...
     @property
+    def update_volumes(self) -> bool | None | str:
+        """
+        volumes of points follow their strain at each reset of the grid; absent: yes, literal no
+        """
+    @update_volumes.setter
+    def update_volumes(self, value: bool | None | str) -> None:
+        ...
+    @property
     def wall_form(self) -> typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty']:
         """
         how walls are imposed where they do not fit the grid
@@ -2343,6 +2427,7 @@ class Rotation:
         direction of the axis, in 3D
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -2389,6 +2474,7 @@ class Translation:
         one number an axis
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -2425,6 +2511,7 @@ class Swirl:
         centre of the swirl; empty: the origin
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -2483,6 +2570,7 @@ class Geostatic:
         stress along the surface over the one across it; at least 0
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -2536,7 +2624,7 @@ class Body:
     points_per_cell : int | None, default 'auto'
         points in a full cell, the same number along each axis; from 1 to 1000
     fill : typing.Literal['exact', 'lattice'] | None, default 'auto'
-        points with the volume of their part of the shape, or whole boxes of a lattice; automatic: lattice in peridynamics and for the boxes of gimp in heat and momentum, otherwise exact
+        points with the volume of their part of the shape, or whole boxes of a lattice; automatic: lattice in peridynamic flow and under conditions on the surface of gimp points that may move, otherwise exact
     jitter : float, default 0.0
         random displacement, in spacings of the points; from 0 to 0.5
     random : bool, default False
@@ -2565,6 +2653,7 @@ class Body:
         prescribed motion
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -2580,7 +2669,7 @@ class Body:
     @property
     def fill(self) -> typing.Literal['exact', 'lattice'] | None | str:
         """
-        points with the volume of their part of the shape, or whole boxes of a lattice; automatic: lattice in peridynamics and for the boxes of gimp in heat and momentum, otherwise exact
+        points with the volume of their part of the shape, or whole boxes of a lattice; automatic: lattice in peridynamic flow and under conditions on the surface of gimp points that may move, otherwise exact
         """
     @fill.setter
     def fill(self, value: typing.Literal['exact', 'lattice'] | None | str) -> None:
@@ -2755,6 +2844,7 @@ class FluidWall:
         of convection; at least 0 (W/(m^2 K))
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -2845,8 +2935,8 @@ class PeridynamicHeat:
     
     Parameters
     ----------
-    horizon : float, default 1.515
-        thermal horizon, in spacings; above 1 and at most 10
+    horizon : float, default 0.0
+        thermal horizon, in spacings, above 1; 0: 1.2 for points at rest on a lattice that their surface follows, otherwise 1.515; from 0 to 10
     influence : typing.Literal['gaussian', 'unity', 'spline'], default 'gaussian'
         weight of a bond by its length
     laplacian : typing.Literal['literal', 'zero-energy', 'compact', 'corrected'], default 'corrected'
@@ -2861,6 +2951,7 @@ class PeridynamicHeat:
         of spacing^2 / (dimension diffusivity); above 0 and at most 1
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -2884,7 +2975,7 @@ class PeridynamicHeat:
     @property
     def horizon(self) -> float:
         """
-        thermal horizon, in spacings
+        thermal horizon, in spacings, above 1; 0: 1.2 for points at rest on a lattice that their surface follows, otherwise 1.515
         """
     @horizon.setter
     def horizon(self, value: float) -> None:
@@ -2971,6 +3062,7 @@ class PeridynamicFlow:
         a run beyond it stops; above 0 and at most 1
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -3133,6 +3225,7 @@ class Peridynamics:
         walls
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -3185,6 +3278,7 @@ class Grid:
         shape function of the nodes
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -3243,6 +3337,7 @@ class Time:
         number of equal steps to the end, instead of a size; from 1 to 1e+12
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
@@ -3279,23 +3374,32 @@ class Time:
     @steps.setter
     def steps(self, value: int | None) -> None:
         ...
-class Monitor:
+class Probe:
     """
-    A material point whose history is asked for.
+    A field recorded in time at one position, or at one material point.
     
     Parameters
     ----------
     name : str, required
-        name of the point in results
+        name of its column in the history
     position : collections.abc.Sequence[float], m, required
-        where it is at the start
+        where it is, inside a body
+    material_point : bool, default False
+        follow the material point nearest to the position at the start, instead of staying there
+    field : str, default 'temperature'
+        field of the output, or position
+    every : float | None, s, default None
+        least time between records; with the rest of the history when not given; above 0 (s)
+    every_steps : int | None, default None
+        steps between records, instead of a time; from 1 to 1e+12
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, name: str, position: collections.abc.Sequence[float]) -> None:
+    def __init__(self, *, name: str, position: collections.abc.Sequence[float], material_point: bool = ..., field: str = ..., every: float | None = ..., every_steps: int | None = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -3304,9 +3408,41 @@ class Monitor:
     def __setstate__(self, members: dict[str, typing.Any]) -> None:
         ...
     @property
+    def every(self) -> float | None:
+        """
+        least time between records; with the rest of the history when not given, s
+        """
+    @every.setter
+    def every(self, value: float | None) -> None:
+        ...
+    @property
+    def every_steps(self) -> int | None:
+        """
+        steps between records, instead of a time
+        """
+    @every_steps.setter
+    def every_steps(self, value: int | None) -> None:
+        ...
+    @property
+    def field(self) -> str:
+        """
+        field of the output, or position
+        """
+    @field.setter
+    def field(self, value: str) -> None:
+        ...
+    @property
+    def material_point(self) -> bool:
+        """
+        follow the material point nearest to the position at the start, instead of staying there
+        """
+    @material_point.setter
+    def material_point(self, value: bool) -> None:
+        ...
+    @property
     def name(self) -> str:
         """
-        name of the point in results
+        name of its column in the history
         """
     @name.setter
     def name(self, value: str) -> None:
@@ -3314,7 +3450,7 @@ class Monitor:
     @property
     def position(self) -> collections.abc.Sequence[float]:
         """
-        where it is at the start, m
+        where it is, inside a body, m
         """
     @position.setter
     def position(self, value: collections.abc.Sequence[float]) -> None:
@@ -3331,17 +3467,20 @@ class Output:
         time between frames; the first and the last only when not given; above 0 (s)
     every_steps : int | None, default None
         steps between frames, instead of a time; from 1 to 1e+12
+    history_every : float | None, s, default None
+        least time between rows of the history; one with every frame when not given; above 0 (s)
     checkpoint : bool, default True
         keep a state to resume from beside the frames
     checkpoint_every : float | None, s, default None
         wall time between checkpoints; one with every frame when not given; above 0 (s)
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     def __eq__(self, other: typing.Any) -> bool:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, path: str = ..., every: float | None = ..., every_steps: int | None = ..., checkpoint: bool = ..., checkpoint_every: float | None = ...) -> None:
+    def __init__(self, *, path: str = ..., every: float | None = ..., every_steps: int | None = ..., history_every: float | None = ..., checkpoint: bool = ..., checkpoint_every: float | None = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -3382,6 +3521,14 @@ class Output:
     def every_steps(self, value: int | None) -> None:
         ...
     @property
+    def history_every(self) -> float | None:
+        """
+        least time between rows of the history; one with every frame when not given, s
+        """
+    @history_every.setter
+    def history_every(self, value: float | None) -> None:
+        ...
+    @property
     def path(self) -> str:
         """
         file of frames for ParaView, ending in .vtkhdf
@@ -3413,12 +3560,13 @@ class Scene:
         end and steps
     output : Output, default Output()
         frames and checkpoints
-    monitors : list[Monitor], default []
-        material points whose history is asked for
+    probes : list[Probe], default []
+        fields recorded in time at single positions
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
     @staticmethod
-    def load(path: str) -> Scene:
+    def load(path: str | os.PathLike[str]) -> Scene:
         """
         The scene of a TOML file.
         """
@@ -3431,7 +3579,7 @@ class Scene:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, title: str = ..., grid: Grid, bodies: list[Body], heat: Heat | None = ..., momentum: Momentum | None = ..., quasi_static: QuasiStatic | None = ..., peridynamics: Peridynamics | None = ..., time: Time, output: Output = ..., monitors: list[Monitor] = ...) -> None:
+    def __init__(self, *, title: str = ..., grid: Grid, bodies: list[Body], heat: Heat | None = ..., momentum: Momentum | None = ..., quasi_static: QuasiStatic | None = ..., peridynamics: Peridynamics | None = ..., time: Time, output: Output = ..., probes: list[Probe] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -3439,13 +3587,13 @@ class Scene:
         ...
     def __setstate__(self, members: dict[str, typing.Any]) -> None:
         ...
-    def save(self, path: str) -> None:
+    def save(self, path: str | os.PathLike[str]) -> None:
         """
         Write the scene as TOML. Functions and arrays, which no file holds, are a ValueError.
         """
-    def set(self, assignment: str) -> Scene:
+    def set(self, path: str, value: typing.Any = ...) -> Scene:
         """
-        A copy with one member changed by its path: scene.set('grid.cell=0.05').
+        A copy with one member changed by its path: scene.set('grid.cell', 0.05), or as on the command line, scene.set('grid.cell=0.05').
         """
     def to_json(self) -> str:
         """
@@ -3488,14 +3636,6 @@ class Scene:
     def momentum(self, value: Momentum | None) -> None:
         ...
     @property
-    def monitors(self) -> list[Monitor]:
-        """
-        material points whose history is asked for
-        """
-    @monitors.setter
-    def monitors(self, value: list[Monitor]) -> None:
-        ...
-    @property
     def output(self) -> Output:
         """
         frames and checkpoints
@@ -3510,6 +3650,14 @@ class Scene:
         """
     @peridynamics.setter
     def peridynamics(self, value: Peridynamics | None) -> None:
+        ...
+    @property
+    def probes(self) -> list[Probe]:
+        """
+        fields recorded in time at single positions
+        """
+    @probes.setter
+    def probes(self, value: list[Probe]) -> None:
         ...
     @property
     def quasi_static(self) -> QuasiStatic | None:
@@ -3539,6 +3687,8 @@ class StepReport:
     """
     What one step did.
     """
+    def __repr__(self) -> str:
+        ...
     @property
     def accepted(self) -> float:
         """
@@ -3558,6 +3708,9 @@ class Ledger:
     """
     The account of one conserved quantity: what was there, what came in, what is there now.
     """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -3578,7 +3731,7 @@ class Ledger:
     @property
     def residual(self) -> float:
         """
-        (stored - initial - taken in) over the larger of turnover and capacity x span
+        (stored - initial - taken in) over the largest turnover or span of the store so far
         """
     @property
     def stored(self) -> float:
@@ -3604,6 +3757,8 @@ class Simulation:
     """
     A clock, the points and an ordered list of physics, built from a scene. Stepping releases the GIL.
     """
+    def __copy__(self) -> typing.Any:
+        ...
     def __getitem__(self, name: str) -> numpy.typing.NDArray[typing.Any]:
         """
         A field as a read-only view without copy, brought up to date, one row a point in the present order. It keeps the simulation alive; later steps change it.
@@ -3614,6 +3769,8 @@ class Simulation:
         """
         The number of points.
         """
+    def __reduce__(self) -> typing.Any:
+        ...
     def by_id(self, name: str) -> numpy.typing.NDArray[typing.Any]:
         """
         A copy of a field with its rows in the order of the points' ids.
@@ -3724,6 +3881,11 @@ class Progress:
         of the last step, s
         """
     @property
+    def steps_taken(self) -> int:
+        """
+        since the start or the resume
+        """
+    @property
     def time(self) -> float:
         """
         simulated, s
@@ -3732,6 +3894,8 @@ class RunSummary:
     """
     What a run did.
     """
+    def __repr__(self) -> str:
+        ...
     @property
     def cpu_seconds(self) -> float:
         """
@@ -3748,6 +3912,16 @@ class RunSummary:
         frames on disk
         """
     @property
+    def history(self) -> dict[str, numpy.typing.NDArray[numpy.float64]]:
+        """
+        what was recorded in time: the times, s, and every scalar by its name
+        """
+    @property
+    def history_columns(self) -> dict[str, tuple[str, str]]:
+        """
+        unit and meaning of every scalar of the history
+        """
+    @property
     def iterations(self) -> int:
         """
         of implicit solves
@@ -3756,6 +3930,11 @@ class RunSummary:
     def largest_step(self) -> float:
         """
         s
+        """
+    @property
+    def notes(self) -> list[str]:
+        """
+        what the user should know
         """
     @property
     def smallest_step(self) -> float:
@@ -3777,6 +3956,26 @@ class RunSummary:
         """
         of wall time
         """
+class FrameReader:
+    """
+    Reads the frames of a run and gives no number that does not fit its checksum.
+    """
+    def __init__(self, path: str) -> None:
+        ...
+    def read(self, frame: int, name: str) -> numpy.typing.NDArray[typing.Any]:
+        """
+        One field of one frame, one row a point in the order of ids.
+        """
+    @property
+    def fields(self) -> list[str]:
+        """
+        names that can be read beside position
+        """
+    @property
+    def times(self) -> list[float]:
+        """
+        of every frame, s
+        """
 def check_json(scene: Scene) -> str:
     """
     What a scene models and costs, as JSON.
@@ -3789,11 +3988,11 @@ def cpu_seconds() -> float:
     """
     Processor time used by this process.
     """
-def keys_as_markdown() -> str:
+def keys_as_markdown(section: str = '') -> str:
     """
-    Every key of a scene file, as Markdown tables.
+    The keys of a scene file, or of one section, as Markdown tables.
     """
-def merge(from_path: str, to_path: str) -> None:
+def merge(from_path: str | os.PathLike[str], to_path: str | os.PathLike[str]) -> None:
     """
     Gather a series of frames into one self-contained file.
     """
@@ -3801,16 +4000,48 @@ def peak_memory() -> int:
     """
     The most memory this process has used, bytes.
     """
+def progress_text(progress: Progress) -> str:
+    """
+    Time, step, speed and time left.
+    """
+def readable_time(seconds: float) -> str:
+    """
+    3.2 s, 14 min, 2 h 5 min.
+    """
+def rebuild_index(frames: str) -> int:
+    """
+    Make a lost or damaged index anew from the data files beside it; the number of frames.
+    """
+def renamed_key(path: str) -> str:
+    """
+    The present name of a key that was renamed; empty for others.
+    """
 def run_simulation(simulation: Simulation, scene: Scene, resume: bool, progress: collections.abc.Callable[[Progress], None] | None, callback: collections.abc.Callable[[Simulation], typing.Any] | None) -> RunSummary:
     """
     Run to the end of the scene and leave what its output section asks for. After Ctrl-C, or an error in the callback, the last frame and checkpoint are written before it is raised.
+    """
+def scene_schema() -> str:
+    """
+    The JSON Schema of scene files.
     """
 def set_thread_count(threads: int) -> None:
     """
     Set the threads of every following run; 0 means all processors. Other libraries are not touched.
     """
+def summary_text(simulation: Simulation, summary: RunSummary, output: str) -> str:
+    """
+    How a run ended, its balances and what its user should know.
+    """
 def thread_count() -> int:
     """
     Threads that every loop may use.
+    """
+def unused_settings(scene: Scene) -> list[str]:
+    """
+    Settings that nothing reads in this scene, with the reason.
+    """
+def verify(frames: str) -> tuple[int, int, list[str]]:
+    """
+    Frames of a run or a merged file, those of which every number fits its checksum, and what is damaged, checkpoints too.
     """
 __version__: str = '0.1.0'

@@ -77,7 +77,7 @@ class Parser(argparse.ArgumentParser):
         self.exit(WRONG_INPUT, f"{self.prog}: {message}\n(see {self.prog} --help)\n")
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> Parser:
     """Commands and their options."""
     top = Parser(prog="lapilli", description=_summary())
     top.add_argument("--version", action="version", version=f"lapilli {_core.__version__}")
