@@ -82,7 +82,7 @@ void SurfaceSystem<Dim>::number_nodes(const HeatLaws<Dim>& laws, std::size_t nod
 }
 
 template <int Dim>
-void SurfaceSystem<Dim>::gather(const HeatLaws<Dim>& laws) {
+void SurfaceSystem<Dim>::gather(const HeatLaws<Dim>& laws, double film) {
   sites_.clear();
   place_.clear();
   weight_.clear();
@@ -94,7 +94,8 @@ void SurfaceSystem<Dim>::gather(const HeatLaws<Dim>& laws) {
         place_.push_back(number_[n.trace[c].first]);
         weight_.push_back(n.trace[c].second);
       }
-      sites_.push_back({first, place_.size(), n.rate[k], n.slope[k]});
+      const double share = n.area[k] > 0.0 ? 1.0 / (1.0 + n.slope[k] / (n.area[k] * film)) : 1.0;
+      sites_.push_back({first, place_.size(), share * n.rate[k], share * n.slope[k]});
     }
     sites_of_law_.push_back(sites_.size());
   }
@@ -125,11 +126,11 @@ void SurfaceSystem<Dim>::multiply(const std::vector<double>& x, double step,
 
 template <int Dim>
 int SurfaceSystem<Dim>::solve(HeatLaws<Dim>& laws, std::span<const double> capacity, double step,
-                              std::span<double> increment) {
+                              double film, std::span<double> increment) {
   constexpr double tolerance = 1e-11;  // of the first correction, K
   constexpr int most = 5000;
   number_nodes(laws, increment.size());
-  gather(laws);
+  gather(laws, film);
   const std::size_t count = node_.size();
   for (auto* values : {&capacity_, &rise_, &residual_, &direction_, &image_, &diagonal_}) {
     values->assign(count, 0.0);
