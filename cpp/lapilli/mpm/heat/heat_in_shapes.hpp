@@ -4,6 +4,7 @@
 
 #include "lapilli/mpm/heat/heat_part.hpp"
 #include "lapilli/mpm/heat/point_fields.hpp"
+#include "lapilli/mpm/heat/temperature_range.hpp"
 #include "lapilli/mpm/surface_view.hpp"
 
 namespace lapilli {
@@ -79,6 +80,7 @@ class HeatInShapes final : public Physics, public HasSurface {
   double initial_ = 0.0, source_ = 0.0;  // J
   double time_ = 0.0;                    // s, of the temperatures
 
+  TemperatureRange range_;  // that conduction and exchange can reach: values at points keep to it
   std::unique_ptr<PointArray> output_temperature_, output_flux_;  // made when first looked at
 };
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
@@ -47,7 +48,7 @@ void HeatInShapes<Dim>::refresh_output() {
           gradient += nodal * slope;
         }
       });
-      (*output_temperature_)[row] = value;
+      (*output_temperature_)[row] = std::clamp(value, range_.low, range_.high);
       Eigen::Map<Vec<Dim>>(output_flux_->data() + row * Dim) =
           -coefficients_.conductivity[body] * gradient;
     });
