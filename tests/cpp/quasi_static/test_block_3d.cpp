@@ -62,7 +62,7 @@ CubeErrors solve_cube(const Mat3& turn, WallForm form) {
   const Mat3 exact = stress_of(elastic, symmetric_part(turn * strain * turn.transpose())).matrix();
   CubeErrors errors;
   for (Index p = 0; p < points.size(); ++p) {
-    const double v = points.volume()[p];
+    const double v = filled.volume[static_cast<std::size_t>(p)];  // as it was filled
     const Vec3 x = Eigen::Map<const Vec3>(start.data() + 3 * p);
     const Vec3 u = Eigen::Map<const Vec3>(physics.displacement().data() + 3 * p);
     const double* s = physics.stress().data() + 6 * p;

@@ -14,8 +14,10 @@ using Catch::Matchers::StartsWith;
 
 TEST_CASE("a built scene runs to its end and keeps its heat") {
   const auto simulation = build(parse_scene(ring_scene, "ring.toml"));
-  // 4 points of h^2/4 in each of about pi (25 - 1) / h^2 cells.
-  CHECK(static_cast<double>(simulation->points().size()) == Approx(4 * 75.4 / 0.16).epsilon(0.01));
+  // 4 points in each of about pi (25 - 1) / h^2 cells, more in those that the rims cut.
+  const double asked = 4 * 75.4 / 0.16;
+  CHECK(static_cast<double>(simulation->points().size()) >= asked);
+  CHECK(static_cast<double>(simulation->points().size()) <= 1.1 * asked);
   simulation->run_until(simulation->end());
   CHECK(simulation->time() == 1.0);
   const std::vector<Field> fields = simulation->fields();
@@ -62,7 +64,7 @@ TEST_CASE("a report says what a scene is, models and costs") {
   CHECK(report.hard_limit >= report.step);
   CHECK(report.steps == static_cast<Index>(std::ceil(1.0 / report.step)));
   REQUIRE(report.bodies.size() == 1);
-  CHECK(report.bodies[0].spacing == Approx(0.2).epsilon(1e-9));
+  CHECK(report.bodies[0].spacing == Approx(0.2).epsilon(0.05));  // on the average
   CHECK(report.memory > 0.0);
   CHECK(report.seconds_to_run > 0.0);
   const std::string text = text_of(report);

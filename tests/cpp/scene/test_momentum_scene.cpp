@@ -90,7 +90,10 @@ std::set<std::string> point_arrays(const std::string& text) {
 
 TEST_CASE("a scene allocates the fields of its physics and no others") {
   using Names = std::set<std::string>;
-  const Names of_momentum{"momentum/mass", "momentum/velocity", "momentum/stress"};
+  // The blended transfer keeps a gradient of the velocity, and the velocity that moved a point
+  // last.
+  const Names of_momentum{"momentum/mass", "momentum/velocity", "momentum/stress",
+                          "momentum/affine", "momentum/carried"};
   CHECK(point_arrays(text_of_parts({start, soil, momentum, end})) == of_momentum);
   Names of_heat = point_arrays(text_of_parts({start, warm, heat, end}));
   for (const std::string& name : of_heat) {
