@@ -12,9 +12,9 @@ class EnergyWatch {
   /// `stored`: elastic energy at the start, J.
   explicit EnergyWatch(double stored = 0.0) : stored_(stored), largest_(stored) {}
 
-  /// `gained`: J that transfers, walls and strain have added since the start. Whether that is below
-  /// the allowed share of the largest energy so far.
-  bool add_step(double kinetic, double strain_work, double gained);
+  /// `gained`: J that transfers, walls and strain have added since the start; up to `rounding` J
+  /// are nothing. Whether that is below the allowed share of the largest energy so far.
+  bool add_step(double kinetic, double strain_work, double gained, double rounding);
 
   double largest() const { return largest_; }
   double stored() const { return stored_; }
