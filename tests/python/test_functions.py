@@ -23,13 +23,14 @@ def test_a_function_is_called_on_whole_arrays(ring: lp.Scene) -> None:
     stepped(ring, lp.Convection(coefficient=1, ambient=ambient))
     nodes = shapes[0][0][0]
     assert nodes > 10
-    assert shapes[0] == ((nodes, 3), (nodes,), 0.0)
+    assert shapes[0][:2] == ((nodes, 3), (nodes,))
+    assert 0 < shapes[0][2] < 0.1  # s: in the middle of the step
 
 
 @pytest.mark.parametrize(
     ("function", "message"),
     [
-        (lambda x, T, t: -3.0, r"heat.boundaries\[0\].coefficient, at \(.*\) and 0 s: .*got -3"),
+        (lambda x, T, t: -3.0, r"heat.boundaries\[0\].coefficient, at \(.*\) and .* s: .*got -3"),
         (lambda x, T, t: np.nan, r"heat.boundaries\[0\].coefficient, at .*got nan"),
         (
             lambda x, T, t: "hot",

@@ -66,19 +66,12 @@ def collapsed(aspect: float, cell: float) -> Deposit:
     position = simulation["position"]
     column = np.floor(position[:, 0] / cell).astype(int)
     profile = [((k + 0.5) * cell, float(position[column == k, 1].max())) for k in np.unique(column)]
-    return Deposit(front(position, cell) - 1.0, left / released, np.array(profile))
+    return Deposit(front(position) - 1.0, left / released, np.array(profile))
 
 
-def front(position: Array, cell: float) -> float:
-    """The farthest point that occupied cells connect to the axis."""
-    from scipy import ndimage
-
-    at = np.floor(position / cell).astype(int)
-    occupied = np.zeros(at.max(axis=0) + 1, dtype=bool)
-    occupied[at[:, 0], at[:, 1]] = True
-    parts, _ = ndimage.label(occupied, structure=np.ones((3, 3)))
-    main = parts[0, 0]
-    return float(position[parts[at[:, 0], at[:, 1]] == main, 0].max())
+def front(position: Array) -> float:
+    """As far as 99.5 % of the points have come: single points fly ahead of a collapse."""
+    return float(np.quantile(position[:, 0], 0.995))
 
 
 def run(quick: bool) -> list[Row]:
