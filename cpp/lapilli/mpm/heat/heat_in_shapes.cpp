@@ -25,7 +25,15 @@ bool HeatInShapes<Dim>::suits(const HeatProblem<Dim>& problem) {
   const bool untouched = settings.normal_smoothing == usual.normal_smoothing &&
                          settings.corner_fit == usual.corner_fit &&
                          settings.implicit_exchange == usual.implicit_exchange;
-  return !problem.moving && untouched && settings.method == FluxMethod::virtual_flux &&
+  // On a line the points know the surface as well, and without a law that depends on its
+  // temperature their capacities err less (rod under a flux, h = 0.1 m: 3.1e-5 against 1.1e-4 K).
+  const bool better_by_points =
+      Dim == 1 && std::all_of(settings.boundaries.begin(), settings.boundaries.end(),
+                              [](const HeatBoundary& law) {
+                                return std::holds_alternative<PrescribedFlux>(law);
+                              });
+  return !problem.moving && untouched && !better_by_points &&
+         settings.method == FluxMethod::virtual_flux &&
          (settings.transfer == HeatTransfer::automatic ||
           settings.transfer == HeatTransfer::kept) &&
          std::all_of(problem.bodies.begin(), problem.bodies.end(),
