@@ -50,12 +50,7 @@ HeatInShapes<Dim>::HeatInShapes(Points& points, HeatProblem<Dim> problem)
   CellOrder<Dim>(problem_.grid, support_of(problem_.shape)).update(points_);
   const std::vector<double> start = initial_temperatures(points_, problem_.bodies);
   require_absolute(problem_, points_, start);
-  // A run that has diverged is three spans beyond on either side.
-  range_ = diverged_beyond(problem_, start);
-  const double span = (range_.high - range_.low) / 7.0;
-  if (std::isfinite(span)) {
-    range_ = {range_.low + 3.0 * span, range_.high - 3.0 * span};
-  }
+  range_ = reached(diverged_beyond(problem_, start));
   for (HeatPart<Dim>& part : make_parts<Dim>(points_, problem_, found_)) {
     for (const std::size_t body : part.bodies) {
       part_of_[body] = solved_.size();

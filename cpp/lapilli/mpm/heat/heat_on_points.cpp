@@ -63,12 +63,12 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
                 exchanges_strongly(problem_, strong);
   if (!laws_.empty()) {
     surface_ = std::make_unique<HeatSurface<Dim>>(points_, problem_);
+    conductivity_ = std::numeric_limits<double>::infinity();
+    for (const HeatBody& body : problem_.bodies) {
+      conductivity_ = std::min(conductivity_, largest_conductivity(body.material));
+    }
     if (transfer_ == HeatTransfer::flip && problem_.settings.implicit_exchange) {
       relaxation_.assign(grid_.capacity.size(), 0.0);
-      conductivity_ = std::numeric_limits<double>::infinity();
-      for (const HeatBody& body : problem_.bodies) {
-        conductivity_ = std::min(conductivity_, largest_conductivity(body.material));
-      }
     }
   }
   if (HeatSource<Dim>::is_present(problem_.bodies)) {

@@ -102,8 +102,8 @@ void HeatOnPoints<Dim>::solve_nodes(const Step& now) {
     return;
   }
   if (at_surface_) {
-    const double film = 20.0 * conductivity_ / problem_.grid.cell_size();
-    iterations_ = surface_system_.solve(laws_, grid_.capacity, step, film, grid_.increment);
+    iterations_ = surface_system_.solve(laws_, grid_.capacity, grid_.temperature, reached(range_),
+                                        step, grid_.increment);
     return;
   }
   for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {

@@ -41,7 +41,8 @@ struct HeatProblem {
 
 /// The heat solver a scene needs: operators integrated over the shapes where bodies rest and have
 /// them; nodal operators assembled once from points where these rest and the transfer closes on the
-/// nodes (FLIP does not where the surface exchanges strongly), the point-to-grid cycle otherwise. Throws std::invalid_argument when the settings contradict each other.
+/// nodes (FLIP does not where the surface exchanges strongly), the point-to-grid cycle otherwise.
+/// Throws std::invalid_argument when the settings contradict each other.
 template <int Dim>
 std::unique_ptr<Physics> make_heat(Points& points, HeatProblem<Dim> problem);
 

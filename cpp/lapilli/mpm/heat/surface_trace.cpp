@@ -82,7 +82,7 @@ void SurfaceSystem<Dim>::number_nodes(const HeatLaws<Dim>& laws, std::size_t nod
 }
 
 template <int Dim>
-void SurfaceSystem<Dim>::gather(const HeatLaws<Dim>& laws, double film) {
+void SurfaceSystem<Dim>::gather(const HeatLaws<Dim>& laws) {
   sites_.clear();
   place_.clear();
   weight_.clear();
@@ -94,8 +94,7 @@ void SurfaceSystem<Dim>::gather(const HeatLaws<Dim>& laws, double film) {
         place_.push_back(number_[n.trace[c].first]);
         weight_.push_back(n.trace[c].second);
       }
-      const double share = n.area[k] > 0.0 ? 1.0 / (1.0 + n.slope[k] / (n.area[k] * film)) : 1.0;
-      sites_.push_back({first, place_.size(), share * n.rate[k], share * n.slope[k]});
+      sites_.push_back({first, place_.size(), n.rate[k], n.slope[k]});
     }
     sites_of_law_.push_back(sites_.size());
   }
@@ -125,12 +124,13 @@ void SurfaceSystem<Dim>::multiply(const std::vector<double>& x, double step,
 }
 
 template <int Dim>
-int SurfaceSystem<Dim>::solve(HeatLaws<Dim>& laws, std::span<const double> capacity, double step,
-                              double film, std::span<double> increment) {
+int SurfaceSystem<Dim>::solve(HeatLaws<Dim>& laws, std::span<const double> capacity,
+                              std::span<const double> temperature, const TemperatureRange& range,
+                              double step, std::span<double> increment) {
   constexpr double tolerance = 1e-11;  // of the first correction, K
   constexpr int most = 5000;
   number_nodes(laws, increment.size());
-  gather(laws, film);
+  gather(laws);
   const std::size_t count = node_.size();
   for (auto* values : {&capacity_, &rise_, &residual_, &direction_, &image_, &diagonal_}) {
     values->assign(count, 0.0);
@@ -187,6 +187,10 @@ int SurfaceSystem<Dim>::solve(HeatLaws<Dim>& laws, std::span<const double> capac
   double given = 0.0;
   for (std::size_t k = 0; k < count; ++k) {
     double& now = increment[node_[k]];
+    const double before = temperature[node_[k]];
+    if (before >= range.low && before <= range.high) {
+      rise_[k] = std::clamp(before + rise_[k], range.low, range.high) - before;
+    }
     given += capacity_[k] * (rise_[k] - now);
     now = rise_[k];
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lapilli/mpm/heat/heat_laws.hpp"
+#include "lapilli/mpm/heat/temperature_range.hpp"
 
 namespace lapilli {
 
@@ -27,11 +28,11 @@ std::vector<std::pair<Index, double>> surface_trace(const Grid<Dim>& grid, Shape
 template <int Dim>
 class SurfaceSystem {
  public:
-  /// `increment` holds d0 on entry and d on return. Every law acts through a film of `film`
-  /// W/(m^2 K), far stronger than a cell of the body: corners, whose places lie too deep, would
-  /// pass what surrounds them without it. Books the heat of each law. Returns the iterations;
+  /// `increment` holds d0 on entry and d on return. A node beside a corner, whose places lie too
+  /// deep, stops at the end of `range` (K). Books the heat of each law. Returns the iterations;
   /// throws RunError when they do not converge.
-  int solve(HeatLaws<Dim>& laws, std::span<const double> capacity, double step, double film,
+  int solve(HeatLaws<Dim>& laws, std::span<const double> capacity,
+            std::span<const double> temperature, const TemperatureRange& range, double step,
             std::span<double> increment);
 
  private:
@@ -41,7 +42,7 @@ class SurfaceSystem {
   };
 
   void number_nodes(const HeatLaws<Dim>& laws, std::size_t nodes);
-  void gather(const HeatLaws<Dim>& laws, double film);
+  void gather(const HeatLaws<Dim>& laws);
   double at(const Site& site, const std::vector<double>& x) const;
   void multiply(const std::vector<double>& x, double step, std::vector<double>& product) const;
   void book(HeatLaws<Dim>& laws, double step, double given) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
@@ -24,6 +25,13 @@ struct TemperatureRange {
 /// The range beyond which a run has diverged, from the temperatures at the start.
 template <int Dim>
 TemperatureRange diverged_beyond(const HeatProblem<Dim>& problem, std::span<const double> start);
+
+/// The range that start and surroundings span, from the one beyond which a run has diverged.
+inline TemperatureRange reached(const TemperatureRange& beyond) {
+  const double span = (beyond.high - beyond.low) / 7.0;
+  return std::isfinite(span) ? TemperatureRange{beyond.low + 3.0 * span, beyond.high - 3.0 * span}
+                             : beyond;
+}
 
 /// Throws std::invalid_argument for a temperature at the start below absolute zero where surfaces
 /// radiate.
