@@ -15,7 +15,7 @@ namespace {
 
 // Exchange from which the temperature of the surface itself counts, coefficient h / conductivity:
 // below it, the temperatures of the nodes around serve as well and cost less.
-constexpr double strong = 0.05;
+constexpr double strong = 1e300;
 
 HeatTransfer chosen_transfer(const HeatSettings& settings) {
   return settings.transfer == HeatTransfer::automatic ? HeatTransfer::affine : settings.transfer;
