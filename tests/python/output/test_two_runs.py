@@ -128,6 +128,7 @@ def test_other_threads_run_while_a_scene_is_built_and_checked(ring):
         assert ticks[0] > 0.1 * took / 0.005
 
 
+@pytest.mark.slow
 def test_ctrl_c_is_answered_while_a_scene_is_built(ring):
     ring.grid.cell = 0.01  # seconds of building
     begun = time.monotonic()

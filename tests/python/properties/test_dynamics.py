@@ -105,16 +105,19 @@ def test_nor_on_a_shift_by_whole_cells(seed: int):
     same(seed, Frame(), Frame(shift=(0.3, -0.7)), 1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", SCENES)
 def test_nor_on_a_shift_by_parts_of_a_cell(seed: int):
     same(seed, Frame(), Frame(shift=(0.037, 0.051)), 0.02)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", SCENES)
 def test_nor_on_its_angle_to_the_grid(seed: int):
     same(seed, Frame(), Frame(degrees=31.0), 0.03)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", SCENES)
 def test_nor_on_a_uniform_velocity(seed: int):
     same(seed, Frame(), Frame(velocity=(0.9, -0.7)), 0.02)

@@ -1,5 +1,6 @@
 """Section 4.5 of Yu & Zhao 2026: a fan from a picture."""
 
+import pytest
 from lapilli.reproduce.states import rms
 from lapilli.reproduce.vhfm import fan
 
@@ -13,6 +14,7 @@ def test_a_turning_fan_is_as_warm_as_one_at_rest():
     assert 0 <= turning.carried.min() <= turning.carried.max() <= 100
 
 
+@pytest.mark.slow
 def test_two_grids_agree():
     """The grids of Fig. 25 but the finest: mean temperatures at 0.5 s."""
     for row in fan.run(quick=True):
