@@ -62,7 +62,7 @@ class Simulation {
   Clock clock_;
   double time_ = 0.0;
   Index index_ = 0;
-  std::string failure_;  // why the fields are half evolved; empty: they are whole
+  std::string failure_;          // why the fields are half evolved; empty: they are whole
   std::vector<double> largest_;  // by ledger
 };
 

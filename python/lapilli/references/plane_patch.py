@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 import numpy.typing as npt
@@ -30,7 +31,8 @@ def quadrilateral(corners: npt.ArrayLike) -> Mapping2D:
 
     def place(s: Array, t: Array) -> Array:
         s, t = s[..., None], t[..., None]
-        return (1 - s) * (1 - t) * a + s * (1 - t) * b + s * t * c + (1 - s) * t * d
+        there: Array = (1 - s) * (1 - t) * a + s * (1 - t) * b + s * t * c + (1 - s) * t * d
+        return there
 
     return place
 
@@ -84,11 +86,9 @@ def solve_patch(
         "left": number[0, ::-1],
     }
     for side, traction in (tractions or {}).items():
-        vector = np.asarray(traction, dtype=float)
-        _push(load, nodes, sides[side], lambda arm, t=vector: np.linalg.norm(arm) * t)
+        _push(load, nodes, sides[side], partial(_along, np.asarray(traction, dtype=float)))
     for side, pressure in (pressures or {}).items():
-        # The sides run counter-clockwise: the material is on their left.
-        _push(load, nodes, sides[side], lambda arm, p=pressure: p * np.array([-arm[1], arm[0]]))
+        _push(load, nodes, sides[side], partial(_across, pressure))
     held, normals = [], []
     for side in fixed:
         for normal in np.eye(2):
@@ -115,6 +115,16 @@ def _solve(stiffness: csc_array, load: Array, held: npt.NDArray[np.int_], normal
     found = factor.solve(load.ravel())
     found += factor.solve(load.ravel() - total @ found)
     return np.asarray(found).reshape(-1, 2)
+
+
+def _along(traction: Array, arm: Array) -> Array:
+    """A traction on a piece of a side with this tangent."""
+    return np.asarray(np.linalg.norm(arm) * traction)
+
+
+def _across(pressure: float, arm: Array) -> Array:
+    """A pressure there. The sides run counter-clockwise: the material is on their left."""
+    return pressure * np.array([-arm[1], arm[0]])
 
 
 def _push(

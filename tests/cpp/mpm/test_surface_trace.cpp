@@ -42,7 +42,8 @@ double error_of(const HeatBoundary& law, double coefficient, int cells, double j
 }
 
 // Acting on every node of the band, laws give +4, +12 and +20 % on ten cells.
-TEST_CASE("Strong convection on points that move gives the heat of the surface's own temperature", "[.slow]") {
+TEST_CASE("Strong convection on points that move gives the heat of the surface's own temperature",
+          "[.slow]") {
   for (const double biot : {10.0, 100.0, 1000.0}) {
     const HeatBoundary law = scenes::convection(biot, 1.0);
     const double coarse = error_of(law, biot, 10, 0.0), fine = error_of(law, biot, 20, 0.0);

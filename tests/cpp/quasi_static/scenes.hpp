@@ -89,8 +89,8 @@ struct LinearProblem {
   void solve(const std::vector<LineWall>& walls, const WallScheme& scheme, double ghost,
              Vec<2> body_force, const Change& change) {
     weights.build(grid, points.position(), {});
-    state = std::make_unique<CellState<2>>(grid, std::as_const(points).volume(), points.body(), weights,
-                                           materials);
+    state = std::make_unique<CellState<2>>(grid, std::as_const(points).volume(), points.body(),
+                                           weights, materials);
     std::vector<Facet<2>> facets;
     for (std::size_t w = 0; w < walls.size(); ++w) {
       for (auto& facet : cut_line(grid, walls[w].line, static_cast<int>(w))) {
@@ -109,9 +109,9 @@ struct LinearProblem {
       loads.walls.push_back(wall_term<2>(grid, *state, facet, wall.kind, motion, scheme));
     }
     stress.assign(6 * points.size(), 0.0);
-    equilibrium = std::make_unique<Equilibrium<2>>(grid, std::as_const(points).volume(), points.body(),
-                                                   weights, *state, materials, stress, loads,
-                                                   system, solver);
+    equilibrium =
+        std::make_unique<Equilibrium<2>>(grid, std::as_const(points).volume(), points.body(),
+                                         weights, *state, materials, stress, loads, system, solver);
     pivots = equilibrium->factorise();
     u = Eigen::VectorXd::Zero(system.unknowns());
     newton = solve_newton(

@@ -56,7 +56,7 @@ ELSEWHERE: dict[str, str] = {
     "Grid.upper": "more room changes nothing: tests/cpp/mpm/test_heat_invariance.cpp",
     "Heat.boundaries": "the keys of each boundary condition",
     "Heat.solver": "solvers agree: tests/cpp/mpm/test_theta.cpp",
-    "MohrCoulomb.density": "one number with that of the thermal material here; read as that of Elastic",
+    "MohrCoulomb.density": "one number with that of the thermal material; read as that of Elastic",
     "Obstacle": "tests/cpp/momentum/test_obstacles.cpp",
     "Momentum.obstacles": "the keys of Obstacle",
     "Momentum.walls": "the keys of each wall",

@@ -1,6 +1,6 @@
-"""Drawn scenes of explicit mechanics whose answers must not belong to the numerics: to the step, the
-stiffness of what does not deform, the place, angle, motion and units of the frame, or the order of
-the bodies."""
+"""Drawn scenes of explicit mechanics whose answers must not belong to the numerics: to the step,
+the stiffness of what does not deform, the place, angle, motion and units of the frame, or the order
+of the bodies."""
 
 from __future__ import annotations
 

@@ -111,7 +111,9 @@ def draw_quadrilateral(rng: np.random.Generator) -> Drawn:
     given: dict[str, object] = {}
     if kind == "traction":
         settings.tractions = [
-            lp.SurfaceTraction(name="pull", line=rows(side[free]), traction=[float(x) for x in direction])
+            lp.SurfaceTraction(
+                name="pull", line=rows(side[free]), traction=[float(x) for x in direction]
+            )
         ]
         given = {"tractions": {free: direction}}
     elif kind == "pressure":
@@ -148,7 +150,9 @@ def draw_bar(rng: np.random.Generator) -> Drawn:
             lp.ImplicitWall(name="base", kind="roller", line=rows(corners[[0, 1]])),
         ],
         tractions=[
-            lp.SurfaceTraction(name="pull", line=rows(corners[[1, 2]]), traction=[float(x) for x in pull])
+            lp.SurfaceTraction(
+                name="pull", line=rows(corners[[1, 2]]), traction=[float(x) for x in pull]
+            )
         ],
     )
     along = load * (1 - elastic.poisson**2) / elastic.young
@@ -180,7 +184,9 @@ def draw_ring(rng: np.random.Generator) -> Drawn:
             lp.ImplicitWall(name="other", kind="roller", line=rows(tips[[3, 2]])),
         ],
         tractions=[
-            lp.SurfaceTraction(name="inside", shape=lp.Disk(center=centre, radius=inner), pressure=load)
+            lp.SurfaceTraction(
+                name="inside", shape=lp.Disk(center=centre, radius=inner), pressure=load
+            )
         ],
     )
     nu = elastic.poisson

@@ -1,6 +1,7 @@
 """Section 4.5 of Yu & Zhao 2026: a fan from a picture."""
 
 import pytest
+
 from lapilli.reproduce.states import rms
 from lapilli.reproduce.vhfm import fan
 
