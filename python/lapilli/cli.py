@@ -4,7 +4,6 @@ extremes."""
 from __future__ import annotations
 
 import argparse
-import difflib
 import signal
 import sys
 from collections.abc import Sequence
@@ -15,6 +14,7 @@ from lapilli import _core
 from lapilli._core import OutputError, RunError, Scene
 from lapilli.mistakes import is_disk_failure, is_utf8
 from lapilli.signals import Signalled, stopped_by_signals
+from lapilli.words import meant
 
 FINISHED, RUN_FAILED, WRONG_INPUT, DISK_FAILED, BAR_MISSED, SIGNALLED = 0, 1, 2, 3, 4, 128
 
@@ -53,9 +53,7 @@ def require_known_command(top: Parser, words: Sequence[str]) -> None:
     """Name the command that a misspelt one was meant for."""
     known = command_names(top)
     if words and not words[0].startswith("-") and words[0] not in known:
-        near = difflib.get_close_matches(words[0], known, 1)
-        meant = f"; did you mean '{near[0]}'?" if near else f"; there is: {', '.join(known)}"
-        top.error(f"unknown command '{words[0]}'{meant}")
+        top.error(f"unknown command '{words[0]}'; {meant(words[0], known)}")
 
 
 def command_names(top: Parser) -> list[str]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
+from lapilli import words
 from lapilli._core import Scene
 
 # Beside this file where the package is installed, at the top of the sources otherwise.
@@ -48,17 +48,7 @@ def title(name: str) -> str:
 
 def chosen(wanted: Sequence[str]) -> list[str]:
     """The examples of these names or groups ("vhfm"); all where none is named."""
-    known = names()
-    found: list[str] = []
-    for one in wanted or [""]:
-        group = one.rstrip("/") + "/"
-        here = [name for name in known if not one or name == one or name.startswith(group)]
-        if not here:
-            near = difflib.get_close_matches(one, known, 1)
-            meant = f"did you mean {near[0]!r}?" if near else f"there is: {', '.join(known)}"
-            raise ValueError(f"no example {one!r}; {meant}")
-        found += [name for name in here if name not in found]
-    return found
+    return words.chosen("example", wanted, names())
 
 
 def copy(wanted: Sequence[str], to: str | os.PathLike[str]) -> list[Path]:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import difflib
 import importlib
 from collections.abc import Sequence
 
 from lapilli.reproduce.case import Case
+from lapilli.words import chosen
 
 # name of the case -> module that holds it as CASE
 MODULES: dict[str, str] = {
@@ -36,16 +36,7 @@ MODULES: dict[str, str] = {
 
 def names(wanted: Sequence[str]) -> list[str]:
     """The cases of these names or groups ("vhfm"); all where none is named."""
-    chosen: list[str] = []
-    for name in wanted or [""]:
-        group = name.rstrip("/") + "/"
-        found = [case for case in MODULES if not name or case == name or case.startswith(group)]
-        if not found:
-            near = difflib.get_close_matches(name, MODULES, 1)
-            meant = f"did you mean {near[0]!r}?" if near else f"there is: {', '.join(MODULES)}"
-            raise ValueError(f"no case {name!r}; {meant}")
-        chosen += [case for case in found if case not in chosen]
-    return chosen
+    return chosen("case", wanted, list(MODULES))
 
 
 def load(name: str) -> Case:
