@@ -139,20 +139,6 @@ void HeatLaws<Dim>::place_probes(
 }
 
 template <int Dim>
-void HeatLaws<Dim>::place_traces(
-    const std::function<std::vector<std::pair<Index, double>>(const Vec3&, Index)>& trace) {
-  for (Nodes& n : nodes_) {
-    n.trace.clear();
-    n.trace_begin.assign(1, 0);
-    for (std::size_t k = 0; k < n.node.size(); ++k) {
-      const auto entries = trace(n.position[k], n.node[k]);
-      n.trace.insert(n.trace.end(), entries.begin(), entries.end());
-      n.trace_begin.push_back(n.trace.size());
-    }
-  }
-}
-
-template <int Dim>
 void HeatLaws<Dim>::require_all_used() const {
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     require(!nodes_[law].node.empty(), "heat.boundaries.", law, " (", name_of_law(laws_[law], law),

@@ -37,9 +37,6 @@ class HeatLaws {
     // Held temperatures only:
     std::vector<double> conductance;              // conductivity / probe depth, W/(m^2 K)
     std::vector<std::pair<Index, double>> probe;  // 2^dim nodes and weights an entry
-    // Where laws act on the temperature of the surface itself: nodes and weights of every entry.
-    std::vector<std::pair<Index, double>> trace;
-    std::vector<std::size_t> trace_begin;  // one more than entries
   };
 
   /// `absolute_zero` in the unit of the temperatures: 0 in K, -273.15 in degrees Celsius.
@@ -60,11 +57,6 @@ class HeatLaws {
   /// active: a thin plate has fewer there. `conductivity` is the nodal n.k.n (W/(m K)).
   void place_probes(const Grid<Dim>& grid, const std::function<bool(Index)>& is_active,
                     const std::function<double(Index, const Vec<Dim>&)>& conductivity);
-
-  /// Let laws act on the temperature of the surface itself, trace(position, node) of every entry;
-  /// for laws without a prescribed temperature.
-  void place_traces(
-      const std::function<std::vector<std::pair<Index, double>>(const Vec3&, Index)>& trace);
 
   /// Replace every node number by number(node), for temperatures stored in another order.
   template <class Number>

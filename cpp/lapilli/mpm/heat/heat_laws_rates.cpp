@@ -12,13 +12,6 @@ void HeatLaws<Dim>::read_states(std::size_t law, std::span<const double> tempera
   Nodes& n = nodes_[law];
   const bool held = std::holds_alternative<PrescribedTemperature>(laws_[law]);
   for (std::size_t k = 0; k < n.node.size(); ++k) {
-    if (!n.trace_begin.empty()) {
-      n.state[k] = 0.0;
-      for (std::size_t c = n.trace_begin[k]; c < n.trace_begin[k + 1]; ++c) {
-        n.state[k] += n.trace[c].second * temperature[n.trace[c].first];
-      }
-      continue;
-    }
     if (!held) {
       n.state[k] = temperature[n.node[k]];
       continue;

@@ -13,10 +13,6 @@
 namespace lapilli {
 namespace {
 
-// Exchange from which the temperature of the surface itself counts, coefficient h / conductivity:
-// below it, the temperatures of the nodes around serve as well and cost less.
-constexpr double strong = 1e300;
-
 HeatTransfer chosen_transfer(const HeatSettings& settings) {
   return settings.transfer == HeatTransfer::automatic ? HeatTransfer::affine : settings.transfer;
 }
@@ -56,19 +52,14 @@ HeatOnPoints<Dim>::HeatOnPoints(Points& points, HeatProblem<Dim> problem)
     map_initial(points_, problem_, coefficients_, capacity, start, &gradient);
     std::copy(gradient.begin(), gradient.end(), gradient_->data());
   }
-  at_surface_ = transfer_ == HeatTransfer::affine && problem_.settings.implicit_exchange &&
-                problem_.settings.method == FluxMethod::virtual_flux &&
-                // Nodes that bodies of great contrast share leave the range by it.
-                problem_.bodies.size() == 1 && !laws_.has_held_temperature() &&
-                exchanges_strongly(problem_, strong);
   if (!laws_.empty()) {
     surface_ = std::make_unique<HeatSurface<Dim>>(points_, problem_);
-    conductivity_ = std::numeric_limits<double>::infinity();
-    for (const HeatBody& body : problem_.bodies) {
-      conductivity_ = std::min(conductivity_, largest_conductivity(body.material));
-    }
     if (transfer_ == HeatTransfer::flip && problem_.settings.implicit_exchange) {
       relaxation_.assign(grid_.capacity.size(), 0.0);
+      conductivity_ = std::numeric_limits<double>::infinity();
+      for (const HeatBody& body : problem_.bodies) {
+        conductivity_ = std::min(conductivity_, largest_conductivity(body.material));
+      }
     }
   }
   if (HeatSource<Dim>::is_present(problem_.bodies)) {
@@ -129,7 +120,7 @@ StepReport HeatOnPoints<Dim>::advance(const Step& step) {
   if (step.look || step.index % 128 == 0) {
     require_finite();
   }
-  return {step.size, iterations_, 0.0};
+  return {step.size, 0, 0.0};
 }
 
 template <int Dim>
@@ -150,12 +141,8 @@ void HeatOnPoints<Dim>::find_surface() {
     laws_.assign(problem_.grid, areas, [&] { return projected_places<Dim>(areas); });
     return;
   }
-  NodalAreas<Dim> areas = surface_->areas(points_, coefficients_, grid_.sums);
+  const NodalAreas<Dim> areas = surface_->areas(points_, coefficients_, grid_.sums);
   negative_share_ = areas.negative_share();
-  if (at_surface_) {
-    find_surface_itself(areas);
-    return;
-  }
   laws_.assign(problem_.grid, areas, [&] {
     return surface_places<Dim>(problem_.grid, points_, problem_.shape, coefficients_.half_width,
                                areas);
@@ -165,25 +152,6 @@ void HeatOnPoints<Dim>::find_surface() {
     laws_.place_probes(problem_.grid, is_active,
                        nodal_conductivity(points_, problem_, coefficients_, grid_.sums));
   }
-}
-
-template <int Dim>
-void HeatOnPoints<Dim>::find_surface_itself(NodalAreas<Dim>& areas) {
-  const auto places =
-      surface_places<Dim>(problem_.grid, points_, problem_.shape, coefficients_.half_width, areas);
-  // Rounded from the node, so that a shift by whole cells changes no digit.
-  const double unit = std::ldexp(problem_.grid.cell_size(), -26);
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const Vec<Dim> node = problem_.grid.node_position(areas.node[k]);
-    const Vec<Dim> away = (places[k].centre.template head<Dim>() - node) / unit;
-    areas.position[k].template head<Dim>() = node + unit * away.array().round().matrix();
-  }
-  laws_.assign(problem_.grid, areas, [&] { return places; });
-  const auto trace = [&](const Vec3& place, Index node) {
-    return surface_trace<Dim>(problem_.grid, problem_.shape, coefficients_.half_width.front(),
-                              place.template head<Dim>(), grid_.sums.fraction, node);
-  };
-  laws_.place_traces(trace);
 }
 
 template <int Dim>

@@ -11,7 +11,6 @@
 #include "lapilli/mpm/heat/heat_source.hpp"
 #include "lapilli/mpm/heat/heat_surface.hpp"
 #include "lapilli/mpm/heat/point_grid_transfer.hpp"
-#include "lapilli/mpm/heat/surface_trace.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
 
 namespace lapilli {
@@ -54,7 +53,6 @@ class HeatOnPoints final : public Physics, public HasSurface {
   // The phases of a step.
   void project_to_grid();
   void find_surface();
-  void find_surface_itself(NodalAreas<Dim>& areas);
   void conduct();
   void exchange_with_surroundings(const Step& step);
   void solve_nodes(const Step& now);
@@ -81,9 +79,6 @@ class HeatOnPoints final : public Physics, public HasSurface {
   PointGridTransfer<Dim> grid_;
   HeatLaws<Dim> laws_;
   std::unique_ptr<HeatSurface<Dim>> surface_;
-  bool at_surface_ = false;  // laws act on the temperature of the surface itself
-  SurfaceSystem<Dim> surface_system_;
-  int iterations_ = 0;
   std::pair<Index, Index> surface_found_{-1, -1};  // version and ordering of the points
   std::optional<HeatSource<Dim>> source_;
   // FLIP under strong exchange (coefficient h / conductivity > 1): the share of the gap to the

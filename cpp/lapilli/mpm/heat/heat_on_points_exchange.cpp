@@ -101,11 +101,6 @@ void HeatOnPoints<Dim>::solve_nodes(const Step& now) {
   if (problem_.settings.method == FluxMethod::particle) {
     return;
   }
-  if (at_surface_) {
-    iterations_ = surface_system_.solve(laws_, grid_.capacity, grid_.temperature, reached(range_),
-                                        step, grid_.increment);
-    return;
-  }
   for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
     const auto& n = laws_.nodes()[law];
     double heat = 0.0;

@@ -108,7 +108,7 @@ double carried_limit(HeatTransfer transfer, ShapeFunction shape) {
 }
 
 template <int Dim>
-bool exchanges_strongly(const HeatProblem<Dim>& problem, double bound) {
+bool exchanges_strongly(const HeatProblem<Dim>& problem) {
   double conductivity = std::numeric_limits<double>::infinity();
   const double zero = absolute_zero(problem.settings);
   double hottest = 0.0;  // K
@@ -125,7 +125,7 @@ bool exchanges_strongly(const HeatProblem<Dim>& problem, double bound) {
       coefficient = 4.0 * radiation->emissivity.largest() * radiation->stefan_boltzmann *
                     std::pow(std::max(hottest, radiation->ambient.largest() - zero), 3);
     }
-    return coefficient * problem.grid.cell_size() > bound * conductivity;
+    return coefficient * problem.grid.cell_size() > conductivity;
   });
 }
 
@@ -173,7 +173,7 @@ StepLimit explicit_step_limit(const Points& points, const HeatProblem<Dim>& prob
   template double fastest_carried_rate(const StencilMatrix<Dim>&, const StencilMatrix<Dim>&,    \
                                        std::span<const double>);                                \
   template double fastest_node(const StencilMatrix<Dim>&, std::span<const double>);             \
-  template bool exchanges_strongly(const HeatProblem<Dim>&, double);                            \
+  template bool exchanges_strongly(const HeatProblem<Dim>&);                                    \
   template StepLimit explicit_step_limit(const Points&, const HeatProblem<Dim>&,                \
                                          const HeatCoefficients<Dim>&, std::span<const double>, \
                                          HeatTransfer);

@@ -28,10 +28,10 @@ double fastest_carried_rate(const StencilMatrix<Dim>& conduction,
 /// to 0.7.
 double carried_limit(HeatTransfer transfer, ShapeFunction shape);
 
-/// Whether convection or radiation may be stronger than `bound`, coefficient h / conductivity.
-/// Above 1, points with FLIP would be carried past the surroundings.
+/// Whether convection or radiation may be so strong (coefficient h / conductivity > 1) that points
+/// with FLIP would be carried past the surroundings.
 template <int Dim>
-bool exchanges_strongly(const HeatProblem<Dim>& problem, double bound = 1.0);
+bool exchanges_strongly(const HeatProblem<Dim>& problem);
 
 /// Limits of an explicit step for points that carry temperature. One material: the multiple of
 /// h^2/alpha above for FLIP and PIC, 1.6 l h/alpha (GIMP half-width l, at most 0.4 h^2/alpha) for

@@ -1,6 +1,5 @@
 #include <catch2/catch.hpp>
 
-#include "lapilli/mpm/heat/surface_trace.hpp"
 #include "mpm/radial_reference.hpp"
 #include "mpm/square_scenes.hpp"
 
@@ -41,7 +40,7 @@ double error_of(const HeatBoundary& law, double coefficient, int cells, double j
   return simulation.ledgers().front().taken_in() / heat_of(exact) - 1.0;
 }
 
-// Acting on every node of the band, laws give +4, +12 and +20 % on ten cells.
+// Fails: acting on every node of the band, laws give +4, +12 and +20 % on ten cells.
 TEST_CASE("Strong convection on points that move gives the heat of the surface's own temperature",
           "[.slow]") {
   for (const double biot : {10.0, 100.0, 1000.0}) {
@@ -50,40 +49,6 @@ TEST_CASE("Strong convection on points that move gives the heat of the surface's
     INFO("Biot number " << biot << ": " << coarse << ", " << fine);
     CHECK(std::abs(coarse) <= 0.03);
     CHECK(std::abs(fine) <= 0.015);
-  }
-}
-
-TEST_CASE("The trace of a straight line is exact where nodes are left out") {
-  const Grid<2> grid(Vec<2>::Constant(-4.0), Vec<2>::Constant(4.0), 1.0);
-  scenes::Uniform uniform(5);
-  for (int draw = 0; draw < 200; ++draw) {
-    // A half plane that leaves some nodes next to nothing.
-    const double angle = uniform.between(0.0, 6.283);
-    const Vec<2> normal(std::cos(angle), std::sin(angle));
-    const Vec<2> place(uniform.between(-1.0, 1.0), uniform.between(-1.0, 1.0));
-    std::vector<double> fraction(static_cast<std::size_t>(grid.node_count()), 0.0);
-    for (Index node = 0; node < grid.node_count(); ++node) {
-      fraction[node] = normal.dot(grid.node_position(node) - place) < 0.8 ? 0.5 : 0.001;
-    }
-    Index own = 0;
-    for (Index node = 0; node < grid.node_count(); ++node) {
-      const auto far = [&](Index at) { return (grid.node_position(at) - place).norm(); };
-      if (fraction[node] == 0.5 && (fraction[own] != 0.5 || far(node) < far(own))) {
-        own = node;
-      }
-    }
-    const auto trace = surface_trace<2>(grid, ShapeFunction::gimp, 0.25, place, fraction, own);
-    double sum = 0.0, size = 0.0;
-    Vec<2> mean = Vec<2>::Zero();
-    for (const auto& [node, weight] : trace) {
-      sum += weight;
-      size += std::abs(weight);
-      mean += weight * grid.node_position(node);
-      CHECK(fraction[node] == 0.5);
-    }
-    CHECK(sum == Approx(1.0).epsilon(1e-12));
-    CHECK(size <= 3.0);
-    CHECK((mean - place).norm() <= 1e-11);
   }
 }
 
