@@ -105,8 +105,8 @@ LAPILLI_BENCH(moving_3d_linear_flip, 3, 40, 8, true, linear, flip, false);
 LAPILLI_BENCH(moving_3d_gimp_affine_convection, 3, 40, 8, true, gimp, HeatTransfer::affine, true);
 LAPILLI_BENCH(rest_2d_linear_flip_4, 2, 200, 4, false, linear, flip, false);
 LAPILLI_BENCH(rest_2d_linear_flip_16, 2, 200, 16, false, linear, flip, false);
-LAPILLI_BENCH(rest_2d_gimp_kept_convection_4, 2, 200, 4, false, gimp, HeatTransfer::kept, true);
+LAPILLI_BENCH(rest_2d_gimp_kept_convection_4, 2, 200, 4, false, gimp, HeatTransfer::nodal, true);
 LAPILLI_BENCH(rest_3d_linear_flip_8, 3, 40, 8, false, linear, flip, false);
-LAPILLI_BENCH(rest_3d_gimp_kept_convection_8, 3, 40, 8, false, gimp, HeatTransfer::kept, true);
+LAPILLI_BENCH(rest_3d_gimp_kept_convection_8, 3, 40, 8, false, gimp, HeatTransfer::nodal, true);
 
 }  // namespace

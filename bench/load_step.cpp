@@ -38,10 +38,10 @@ void measure(int cells) {
   QuasiStaticSettings settings;
   const auto wall = [](const char* name, double x, double y, double out_x, double out_y) {
     const Shape half = HalfSpace{{x, y}, {out_x, out_y}};
-    return WallSettings{name, HeldMotion::roller, {half, false, {}, {}}, {}, 0.0};
+    return SupportSettings{name, HeldMotion::roller, {half, false, {}, {}}, {}, 0.0};
   };
-  settings.walls = {wall("left", low, 0.0, 1.0, 0.0), wall("right", high, 0.0, -1.0, 0.0),
-                    wall("base", 0.0, low, 0.0, 1.0)};
+  settings.supports = {wall("left", low, 0.0, 1.0, 0.0), wall("right", high, 0.0, -1.0, 0.0),
+                       wall("base", 0.0, low, 0.0, 1.0)};
   settings.body_force = {0.0, Table{{0.0, 1.0}, {0.0, -1e3}}};
 
   Stopwatch watch;
@@ -61,8 +61,8 @@ void measure(int cells) {
   Loads<2> loads;
   for (const Facet<2>& facet : reference.facets) {
     const std::vector<Vec<2>> still(facet.points.size(), Vec<2>::Zero());
-    loads.walls.push_back(wall_term<2>(grid, *reference.state, facet, HeldMotion::roller, still,
-                                       WallScheme::of(WallForm::mean_gap, 1e-3, 0.05)));
+    loads.walls.push_back(support_term<2>(grid, *reference.state, facet, HeldMotion::roller, still,
+                                          SupportScheme::of(Enforcement::mean_gap, 1e-3, 0.05)));
   }
   loads.ghost = 0.01;
   loads.ghost_pairs = ghost_pairs<2>(grid, *reference.state, reference.facets);

@@ -21,7 +21,7 @@ from lapilli.study.show import print_table, report
 
 SCENES = Path(__file__).resolve().parents[1] / "examples" / "vhfm"
 METHODS = ["virtual", "paper", "particle"]
-TRANSFERS = ["kept", "flip", "pic"]
+TRANSFERS = ["nodal", "flip", "pic"]
 SHAPES = ["gimp", "linear"]
 
 

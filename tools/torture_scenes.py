@@ -49,7 +49,7 @@ cell = 0.25
 shape = {{kind = "box", lower = [0.0, 0.0], upper = [1.0, 1.0]}}
 points_per_cell = 9
 material = {SOIL}
-[momentum]
+[dynamics]
 gravity = [0.0, -9.81]
 walls = [{{kind = "roller", face = "x_lower"}}, {{kind = "no_slip", face = "y_lower"}}]
 [time]

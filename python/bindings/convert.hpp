@@ -96,13 +96,13 @@ requires(std::is_integral_v<Integer> && !std::is_same_v<Integer, bool>) struct C
                             : py::reinterpret_steal<py::object>(PyNumber_Index(given.ptr()));
     PyErr_Clear();
     if (!number) {
-      where.refuse("a whole number", given);
+      where.refuse("an integer", given);
     }
     int overflow = 0;
     const long long value = PyLong_AsLongLongAndOverflow(number.ptr(), &overflow);
     member = static_cast<Integer>(value);
     if (overflow != 0 || member != value) {
-      where.refuse("a whole number of ordinary size", given);
+      where.refuse("an integer of ordinary size", given);
     }
     check_range(where.key, static_cast<double>(value), where.owner);
   }

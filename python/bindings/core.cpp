@@ -2,6 +2,7 @@
 
 #include "bindings.hpp"
 #include "convert_core.hpp"
+#include "lapilli/core/allowed.hpp"
 #include "lapilli/core/parallel.hpp"
 
 namespace lapilli::python {
@@ -66,6 +67,14 @@ void bind_core(py::module_& module) {
                                      state[1].cast<std::vector<double>>()};
                       }));
 
+  module.def(
+      "unknown_name",
+      [](const std::string& what, const std::string& given, const std::vector<std::string>& names) {
+        return unknown_name(what, given, names);
+      },
+      py::arg("what"), py::arg("given"), py::arg("names"),
+      "unknown_name(what: str, given: str, names: list[str]) -> str\n\nWhat to say of a name that "
+      "is none of these: what it is called now, what was meant, or what there is.");
   module.def("thread_count", &thread_count,
              "thread_count() -> int\n\nThreads that every loop may use.");
   module.def("set_thread_count", &set_thread_count, py::arg("threads"),

@@ -87,7 +87,7 @@ void bind_frames(py::module_& module) {
       .def("read", &read_field, py::arg("frame"), py::arg("name"),
            ("read" + self +
             ", frame: int, name: str) -> numpy.typing.NDArray[typing.Any]\n\nOne field of one "
-            "frame, one row a point in the order of ids.")
+            "frame, one row per point in the order of ids.")
                .c_str())
       .def_property_readonly(
           "times",

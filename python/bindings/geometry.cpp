@@ -75,32 +75,33 @@ void bind_geometry(py::module_& module) {
            "the surface, negative inside, m.");
   bind_struct<Box>(
       module, "Box",
-      "Interval, rectangle or box with sides along the axes; endless along axes beyond "
+      "Interval, rectangle or box with sides along the axes; infinite along axes beyond "
       "the given numbers.");
   bind_struct<HalfSpace>(module, "HalfSpace",
                          "Everything on the side of a plane that its normal points away from.");
-  bind_struct<Disk>(module, "Disk", "Disk in the x-y plane; endless along z.");
+  bind_struct<Disk>(module, "Disk", "Disk in the x-y plane; infinite along z.");
   bind_struct<Annulus>(module, "Annulus",
-                       "Ring between two circles in the x-y plane; endless along z.");
+                       "Ring between two circles in the x-y plane; infinite along z.");
   bind_struct<Ellipse>(module, "Ellipse",
-                       "Ellipse in the x-y plane with its axes along x and y; endless along z.");
+                       "Ellipse in the x-y plane with its axes along x and y; infinite along z.");
   bind_struct<Ellipsoid>(module, "Ellipsoid", "Ellipsoid with its axes along x, y and z.");
   bind_struct<HeightField>(module, "HeightField",
                            "Ground below heights on a regular grid, down to a flat bottom.");
   bind_struct<Sphere>(module, "Sphere", "Ball.");
   bind_struct<Cylinder>(module, "Cylinder", "Cylinder with flat ends, from start to end.");
   bind_struct<Polygon>(module, "Polygon",
-                       "Polygon in the x-y plane, convex or not; endless along z.");
+                       "Polygon in the x-y plane, convex or not; infinite along z.");
   bind_struct<Mesh>(module, "Mesh", "What lies inside a closed surface of triangles.");
-  bind_struct<ImageMask>(module, "Image",
-                         "The bright (or dark) pixels of an image, in the x-y plane; endless along "
-                         "z.");
+  bind_struct<ImageMask>(
+      module, "Image",
+      "The bright (or dark) pixels of an image, in the x-y plane; infinite along "
+      "z.");
   bind_struct<Union>(module, "Union", "What lies in any of the shapes.");
   bind_struct<Intersection>(module, "Intersection", "What lies in all of the shapes.");
   bind_struct<Difference>(module, "Difference", "What lies in one shape and not in another.");
   bind_struct<Rotated>(module, "Rotated",
                        "A shape turned about an axis by the right-hand rule; in two dimensions "
-                       "anticlockwise.");
+                       "counter-clockwise.");
   bind_struct<Translated>(module, "Translated", "A shape moved without turning.");
 }
 

@@ -9,7 +9,6 @@
 #include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/check.hpp"
 #include "lapilli/scene/keys.hpp"
-#include "lapilli/scene/renamed.hpp"
 #include "lapilli/scene/run_scene.hpp"
 #include "lapilli/scene/run_text.hpp"
 #include "lapilli/scene/schema.hpp"
@@ -197,9 +196,6 @@ void bind_run(py::module_& module) {
              "section, as Markdown tables.");
   module.def("scene_schema", &scene_schema,
              "scene_schema() -> str\n\nThe JSON Schema of scene files.");
-  module.def("renamed_key", &renamed, py::arg("path"),
-             "renamed_key(path: str) -> str\n\nThe present name of a key that was renamed; empty "
-             "for others.");
   module.def("readable_time", &readable_time, py::arg("seconds"),
              "readable_time(seconds: float) -> str\n\n3.2 s, 14 min, 2 h 5 min.");
   module.def("progress_text", &progress_text, py::arg("progress"),

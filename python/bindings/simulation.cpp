@@ -8,7 +8,7 @@
 #include "convert_scene.hpp"
 #include "lapilli/core/diagnostics.hpp"
 #include "lapilli/core/interruption.hpp"
-#include "lapilli/mpm/surface_view.hpp"
+#include "lapilli/mpm/surface/surface_view.hpp"
 #include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
 
@@ -172,12 +172,12 @@ void bind_reports(py::module_& module) {
           "__repr__(self: lapilli._core.StepReport) -> str");
 }
 
-bool same_ledger(const Ledger& a, const py::object& other) {
-  if (!py::isinstance<Ledger>(other)) {
+bool same_balance(const Balance& a, const py::object& other) {
+  if (!py::isinstance<Balance>(other)) {
     return false;
   }
-  const auto& b = other.cast<const Ledger&>();
-  const auto same = [](const Ledger::Entry& left, const Ledger::Entry& right) {
+  const auto& b = other.cast<const Balance&>();
+  const auto same = [](const Balance::Entry& left, const Balance::Entry& right) {
     return left.name == right.name && left.in == right.in;
   };
   return a.quantity == b.quantity && a.unit == b.unit && a.initial == b.initial &&
@@ -185,10 +185,10 @@ bool same_ledger(const Ledger& a, const py::object& other) {
 }
 
 void bind_ledger(py::module_& module) {
-  const std::string self = "(self: lapilli._core.Ledger)";
-  py::class_<Ledger> bound(
-      module, "Ledger",
-      "The account of one conserved quantity: what was there, what came in, what is there now.");
+  const std::string self = "(self: lapilli._core.Balance)";
+  py::class_<Balance> bound(module, "Balance",
+                            "The account of one conserved quantity: what was there, what was "
+                            "supplied, what is there now.");
   forbid_new(bound);
   const auto number = [&](const char* name, auto get, const char* text) {
     bound.def_property_readonly(name, py::cpp_function(get, (name + self + " -> float").c_str()),
@@ -199,39 +199,39 @@ void bind_ledger(py::module_& module) {
                                 says);
   };
   text(
-      "quantity", [](const Ledger& ledger) { return ledger.quantity; }, "what is conserved");
+      "quantity", [](const Balance& balance) { return balance.quantity; }, "what is conserved");
   text(
-      "unit", [](const Ledger& ledger) { return ledger.unit; }, "unit of every amount");
+      "unit", [](const Balance& balance) { return balance.unit; }, "unit of every amount");
   number(
-      "initial", [](const Ledger& ledger) { return ledger.initial; }, "stored at the start");
+      "initial", [](const Balance& balance) { return balance.initial; }, "stored at the start");
   number(
-      "stored", [](const Ledger& ledger) { return ledger.stored; }, "stored now");
+      "stored", [](const Balance& balance) { return balance.stored; }, "stored now");
   number(
-      "taken_in", [](const Ledger& ledger) { return ledger.taken_in(); },
+      "supplied", [](const Balance& balance) { return balance.supplied(); },
       "sum of the entries, counted inwards");
   number(
-      "turnover", [](const Ledger& ledger) { return ledger.turnover(); },
+      "turnover", [](const Balance& balance) { return balance.turnover(); },
       "sum of the entries' sizes");
   number(
-      "residual", [](const Ledger& ledger) { return ledger.residual(); },
+      "residual", [](const Balance& balance) { return balance.residual(); },
       "(stored - initial - taken in) over the largest turnover or span of the store so far");
   bound.def_property_readonly("entries",
                               py::cpp_function(
-                                  [](const Ledger& ledger) {
+                                  [](const Balance& balance) {
                                     py::dict all;
-                                    for (const auto& entry : ledger.entries) {
+                                    for (const auto& entry : balance.entries) {
                                       all[py::str(entry.name)] = entry.in;
                                     }
                                     return all;
                                   },
                                   ("entries" + self + " -> dict[str, float]").c_str()),
                               "what came in by each way since the start; negative: went out");
-  bound.def("__eq__", &same_ledger, "__eq__(self: lapilli._core.Ledger, other: object) -> bool");
+  bound.def("__eq__", &same_balance, "__eq__(self: lapilli._core.Balance, other: object) -> bool");
   bound.def(
       "__repr__",
-      [](const Ledger& ledger) {
-        return message("<", ledger.quantity, ": ", ledger.taken_in(), " ", ledger.unit, " in, ",
-                       ledger.stored, " stored, residual ", ledger.residual(), ">");
+      [](const Balance& balance) {
+        return message("<", balance.quantity, ": ", balance.supplied(), " ", balance.unit, " in, ",
+                       balance.stored, " stored, residual ", balance.residual(), ">");
       },
       ("__repr__" + self + " -> str").c_str());
 }
@@ -273,11 +273,12 @@ void bind_simulation(py::module_& module) {
            "may "
            "return False to stop early.")
               .c_str())
-      .def("__getitem__", &field, py::arg("name"),
-           ("__getitem__" + self + ", name: str)" + array +
-            "\n\nA field as a read-only view without copy, brought up to date, one row a point in "
-            "the present order. It keeps the simulation alive; later steps change it.")
-               .c_str())
+      .def(
+          "__getitem__", &field, py::arg("name"),
+          ("__getitem__" + self + ", name: str)" + array +
+           "\n\nA field as a read-only view without copy, brought up to date, one row per point in "
+           "the present order. It keeps the simulation alive; later steps change it.")
+              .c_str())
       .def("by_id", &by_id, py::arg("name"),
            ("by_id" + self + ", name: str)" + array +
             "\n\nA copy of a field with its rows in the order of the points' ids.")
@@ -288,8 +289,8 @@ void bind_simulation(py::module_& module) {
           "__len__", [](PythonSimulation& of) { return of.get().points().size(); },
           ("__len__" + self + ") -> int\n\nThe number of points.").c_str())
       .def(
-          "ledger", [](PythonSimulation& of) { return of.get().ledgers(); },
-          ("ledger" + self + ") -> list[Ledger]\n\nThe account of every conserved quantity.")
+          "balance", [](PythonSimulation& of) { return of.get().balances(); },
+          ("balance" + self + ") -> list[Balance]\n\nThe account of every conserved quantity.")
               .c_str())
       .def("diagnostics", &diagnostics,
            ("diagnostics" + self + ") -> dict[str, float]\n\nNumbers worth watching, by physics.")
@@ -301,8 +302,9 @@ void bind_simulation(py::module_& module) {
                .c_str())
       .def("surface", &surface,
            ("surface" + self +
-            ") -> dict[str, numpy.typing.NDArray[numpy.float64]]\n\nThe nodes that boundary laws "
-            "act on: position on the surface, outward normal, area. Empty without laws.")
+            ") -> dict[str, numpy.typing.NDArray[numpy.float64]]\n\nThe nodes that boundary "
+            "conditions "
+            "act on: position on the surface, outward normal, area. Empty without them.")
                .c_str())
       .def("limits", &limits,
            ("limits" + self +

@@ -8,7 +8,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['Annulus', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalWall', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeightField', 'Image', 'ImplicitWall', 'Intersection', 'Ledger', 'Mesh', 'MohrCoulomb', 'Momentum', 'Newtonian', 'NoSlipWall', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerWall', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'SurfaceTraction', 'Swirl', 'Table', 'Temperature', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'renamed_key', 'run_simulation', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unused_settings', 'verify']
+__all__: list[str] = ['Annulus', 'Balance', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeightField', 'Image', 'Intersection', 'Mesh', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -58,7 +58,7 @@ class Shape:
         """
 class Box(Shape):
     """
-    Interval, rectangle or box with sides along the axes; endless along axes beyond the given numbers.
+    Interval, rectangle or box with sides along the axes; infinite along axes beyond the given numbers.
     
     Parameters
     ----------
@@ -140,7 +140,7 @@ class HalfSpace(Shape):
         ...
 class Disk(Shape):
     """
-    Disk in the x-y plane; endless along z.
+    Disk in the x-y plane; infinite along z.
     
     Parameters
     ----------
@@ -181,7 +181,7 @@ class Disk(Shape):
         ...
 class Annulus(Shape):
     """
-    Ring between two circles in the x-y plane; endless along z.
+    Ring between two circles in the x-y plane; infinite along z.
     
     Parameters
     ----------
@@ -232,7 +232,7 @@ class Annulus(Shape):
         ...
 class Ellipse(Shape):
     """
-    Ellipse in the x-y plane with its axes along x and y; endless along z.
+    Ellipse in the x-y plane with its axes along x and y; infinite along z.
     
     Parameters
     ----------
@@ -487,7 +487,7 @@ class Cylinder(Shape):
         ...
 class Polygon(Shape):
     """
-    Polygon in the x-y plane, convex or not; endless along z.
+    Polygon in the x-y plane, convex or not; infinite along z.
     
     Parameters
     ----------
@@ -579,7 +579,7 @@ class Mesh(Shape):
         ...
 class Image(Shape):
     """
-    The bright (or dark) pixels of an image, in the x-y plane; endless along z.
+    The bright (or dark) pixels of an image, in the x-y plane; infinite along z.
     
     Parameters
     ----------
@@ -763,14 +763,14 @@ class Difference(Shape):
         ...
 class Rotated(Shape):
     """
-    A shape turned about an axis by the right-hand rule; in two dimensions anticlockwise.
+    A shape turned about an axis by the right-hand rule; in two dimensions counter-clockwise.
     
     Parameters
     ----------
     shape : Shape, required
         shape that is turned
     degrees : float, degree, required
-        angle, anticlockwise
+        angle, counter-clockwise
     center : collections.abc.Sequence[float], m, default ()
         point that stays; empty: the origin
     axis : collections.abc.Sequence[float], default (0.0, 0.0, 1.0)
@@ -809,7 +809,7 @@ class Rotated(Shape):
     @property
     def degrees(self) -> float:
         """
-        angle, anticlockwise, degree
+        angle, counter-clockwise, degree
         """
     @degrees.setter
     def degrees(self, value: float) -> None:
@@ -873,7 +873,7 @@ class Newtonian:
         mass per volume at rest; above 0 (kg/m^3)
     viscosity : float, Pa s, required
         dynamic viscosity; at least 0 (Pa s)
-    expansion : float, 1/K, default 0.0
+    thermal_expansion : float, 1/K, default 0.0
         thermal expansion per volume
     reference_temperature : float, K, default 0.0
         at which the fluid has its density
@@ -884,7 +884,7 @@ class Newtonian:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, density: float, viscosity: float, expansion: float = ..., reference_temperature: float = ...) -> None:
+    def __init__(self, *, density: float, viscosity: float, thermal_expansion: float = ..., reference_temperature: float = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -901,20 +901,20 @@ class Newtonian:
     def density(self, value: float) -> None:
         ...
     @property
-    def expansion(self) -> float:
-        """
-        thermal expansion per volume, 1/K
-        """
-    @expansion.setter
-    def expansion(self, value: float) -> None:
-        ...
-    @property
     def reference_temperature(self) -> float:
         """
         at which the fluid has its density, K
         """
     @reference_temperature.setter
     def reference_temperature(self, value: float) -> None:
+        ...
+    @property
+    def thermal_expansion(self) -> float:
+        """
+        thermal expansion per volume, 1/K
+        """
+    @thermal_expansion.setter
+    def thermal_expansion(self, value: float) -> None:
         ...
     @property
     def viscosity(self) -> float:
@@ -1038,10 +1038,10 @@ class MohrCoulomb:
         stiffness in tension; above 0 (Pa)
     poissons_ratio : float, default 0.0
         lateral contraction, in (-1, 0.5); above -1 and at most 0.5
-    friction : float, degree, required
+    friction_angle : float, degree, required
         friction angle; from 0 to 89.999 (degree)
-    dilation : float, degree, default 0.0
-        dilation angle, at most the friction angle; from 0 to 89.999 (degree)
+    dilatancy_angle : float, degree, default 0.0
+        dilatancy angle, at most the friction angle; from 0 to 89.999 (degree)
     cohesion : float, Pa, default 0.0
         shear strength without pressure; at least 0 (Pa)
     tension_cutoff : float, Pa, default inf
@@ -1053,7 +1053,7 @@ class MohrCoulomb:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, density: float, youngs_modulus: float, poissons_ratio: float = ..., friction: float, dilation: float = ..., cohesion: float = ..., tension_cutoff: float = ...) -> None:
+    def __init__(self, *, density: float, youngs_modulus: float, poissons_ratio: float = ..., friction_angle: float, dilatancy_angle: float = ..., cohesion: float = ..., tension_cutoff: float = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -1078,20 +1078,20 @@ class MohrCoulomb:
     def density(self, value: float) -> None:
         ...
     @property
-    def dilation(self) -> float:
+    def dilatancy_angle(self) -> float:
         """
-        dilation angle, at most the friction angle, degree
+        dilatancy angle, at most the friction angle, degree
         """
-    @dilation.setter
-    def dilation(self, value: float) -> None:
+    @dilatancy_angle.setter
+    def dilatancy_angle(self, value: float) -> None:
         ...
     @property
-    def friction(self) -> float:
+    def friction_angle(self) -> float:
         """
         friction angle, degree
         """
-    @friction.setter
-    def friction(self, value: float) -> None:
+    @friction_angle.setter
+    def friction_angle(self, value: float) -> None:
         ...
     @property
     def poissons_ratio(self) -> float:
@@ -1186,7 +1186,7 @@ class Flux:
     Parameters
     ----------
     name : str, default ''
-        name of the region in ledger and messages
+        name of the region in balance and messages
     value : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], W/m^2, required
         flux, positive into the body
     region : Shape | None, default None
@@ -1209,7 +1209,7 @@ class Flux:
     @property
     def name(self) -> str:
         """
-        name of the region in ledger and messages
+        name of the region in balance and messages
         """
     @name.setter
     def name(self, value: str) -> None:
@@ -1237,7 +1237,7 @@ class Convection:
     Parameters
     ----------
     name : str, default ''
-        name of the region in ledger and messages
+        name of the region in balance and messages
     coefficient : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], W/(m^2 K), required
         heat transfer coefficient; at least 0 (W/(m^2 K))
     ambient : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, required
@@ -1278,7 +1278,7 @@ class Convection:
     @property
     def name(self) -> str:
         """
-        name of the region in ledger and messages
+        name of the region in balance and messages
         """
     @name.setter
     def name(self, value: str) -> None:
@@ -1298,7 +1298,7 @@ class Radiation:
     Parameters
     ----------
     name : str, default ''
-        name of the region in ledger and messages
+        name of the region in balance and messages
     emissivity : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], default 1.0
         emissivity; from 0 to 1
     ambient : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, required
@@ -1341,7 +1341,7 @@ class Radiation:
     @property
     def name(self) -> str:
         """
-        name of the region in ledger and messages
+        name of the region in balance and messages
         """
     @name.setter
     def name(self, value: str) -> None:
@@ -1362,14 +1362,14 @@ class Radiation:
     @stefan_boltzmann.setter
     def stefan_boltzmann(self, value: float) -> None:
         ...
-class Temperature:
+class PrescribedTemperature:
     """
     A temperature held on a surface that need not fit the grid.
     
     Parameters
     ----------
     name : str, default ''
-        name of the region in ledger and messages
+        name of the region in balance and messages
     value : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, required
         temperature of the surface
     region : Shape | None, default None
@@ -1392,7 +1392,7 @@ class Temperature:
     @property
     def name(self) -> str:
         """
-        name of the region in ledger and messages
+        name of the region in balance and messages
         """
     @name.setter
     def name(self, value: str) -> None:
@@ -1421,9 +1421,9 @@ class Heat:
     ----------
     method : typing.Literal['virtual', 'paper', 'particle', 'node'], default 'virtual'
         how flux laws reach the nodes
-    transfer : typing.Literal['auto', 'kept', 'affine', 'flip', 'pic', 'tpic'], default 'auto'
+    transfer : typing.Literal['auto', 'nodal', 'affine', 'flip', 'pic', 'tpic'], default 'auto'
         what points and nodes hand each other
-    stepping : typing.Literal['explicit', 'theta'], default 'explicit'
+    time_integration : typing.Literal['explicit', 'implicit'], default 'explicit'
         explicit Euler or the implicit theta scheme
     theta : float, default 0.5
         implicitness of the theta scheme; from 0.5 to 1
@@ -1437,11 +1437,11 @@ class Heat:
         smoothing passes before nodal normals; from 0 to 16
     surface_fraction : float, default 0.55
         volume fraction below which a cell is surface (method paper); above 0 and at most 1
-    implicit_exchange : bool, default True
+    implicit_robin : bool, default True
         take convection and radiation at the end of the step, stable for any coefficient
     corner_fit : bool, default True
         give sharp corners their whole area
-    boundaries : list[Flux | Convection | Radiation | Temperature], default []
+    boundaries : list[Flux | Convection | Radiation | PrescribedTemperature], default []
         flux laws and held temperatures; the first region that covers a place wins
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
@@ -1450,7 +1450,7 @@ class Heat:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, method: typing.Literal['virtual', 'paper', 'particle', 'node'] = ..., transfer: typing.Literal['auto', 'kept', 'affine', 'flip', 'pic', 'tpic'] = ..., stepping: typing.Literal['explicit', 'theta'] = ..., theta: float = ..., solver: typing.Literal['auto', 'direct', 'cg'] = ..., temperature_unit: typing.Literal['kelvin', 'celsius'] | None = ..., blend: float = ..., normal_smoothing: int = ..., surface_fraction: float = ..., implicit_exchange: bool = ..., corner_fit: bool = ..., boundaries: list[Flux | Convection | Radiation | Temperature] = ...) -> None:
+    def __init__(self, *, method: typing.Literal['virtual', 'paper', 'particle', 'node'] = ..., transfer: typing.Literal['auto', 'nodal', 'affine', 'flip', 'pic', 'tpic'] = ..., time_integration: typing.Literal['explicit', 'implicit'] = ..., theta: float = ..., solver: typing.Literal['auto', 'direct', 'cg'] = ..., temperature_unit: typing.Literal['kelvin', 'celsius'] | None = ..., blend: float = ..., normal_smoothing: int = ..., surface_fraction: float = ..., implicit_robin: bool = ..., corner_fit: bool = ..., boundaries: list[Flux | Convection | Radiation | PrescribedTemperature] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -1467,12 +1467,12 @@ class Heat:
     def blend(self, value: float) -> None:
         ...
     @property
-    def boundaries(self) -> list[Flux | Convection | Radiation | Temperature]:
+    def boundaries(self) -> list[Flux | Convection | Radiation | PrescribedTemperature]:
         """
         flux laws and held temperatures; the first region that covers a place wins
         """
     @boundaries.setter
-    def boundaries(self, value: list[Flux | Convection | Radiation | Temperature]) -> None:
+    def boundaries(self, value: list[Flux | Convection | Radiation | PrescribedTemperature]) -> None:
         ...
     @property
     def corner_fit(self) -> bool:
@@ -1483,12 +1483,12 @@ class Heat:
     def corner_fit(self, value: bool) -> None:
         ...
     @property
-    def implicit_exchange(self) -> bool:
+    def implicit_robin(self) -> bool:
         """
         take convection and radiation at the end of the step, stable for any coefficient
         """
-    @implicit_exchange.setter
-    def implicit_exchange(self, value: bool) -> None:
+    @implicit_robin.setter
+    def implicit_robin(self, value: bool) -> None:
         ...
     @property
     def method(self) -> typing.Literal['virtual', 'paper', 'particle', 'node']:
@@ -1515,14 +1515,6 @@ class Heat:
     def solver(self, value: typing.Literal['auto', 'direct', 'cg']) -> None:
         ...
     @property
-    def stepping(self) -> typing.Literal['explicit', 'theta']:
-        """
-        explicit Euler or the implicit theta scheme
-        """
-    @stepping.setter
-    def stepping(self, value: typing.Literal['explicit', 'theta']) -> None:
-        ...
-    @property
     def surface_fraction(self) -> float:
         """
         volume fraction below which a cell is surface (method paper)
@@ -1547,14 +1539,22 @@ class Heat:
     def theta(self, value: float) -> None:
         ...
     @property
-    def transfer(self) -> typing.Literal['auto', 'kept', 'affine', 'flip', 'pic', 'tpic']:
+    def time_integration(self) -> typing.Literal['explicit', 'implicit']:
+        """
+        explicit Euler or the implicit theta scheme
+        """
+    @time_integration.setter
+    def time_integration(self, value: typing.Literal['explicit', 'implicit']) -> None:
+        ...
+    @property
+    def transfer(self) -> typing.Literal['auto', 'nodal', 'affine', 'flip', 'pic', 'tpic']:
         """
         what points and nodes hand each other
         """
     @transfer.setter
-    def transfer(self, value: typing.Literal['auto', 'kept', 'affine', 'flip', 'pic', 'tpic']) -> None:
+    def transfer(self, value: typing.Literal['auto', 'nodal', 'affine', 'flip', 'pic', 'tpic']) -> None:
         ...
-class NoSlipWall:
+class NoSlipBoundary:
     """
     A face of the grid that the material sticks to.
     
@@ -1585,7 +1585,7 @@ class NoSlipWall:
     @face.setter
     def face(self, value: typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper']) -> None:
         ...
-class RollerWall:
+class RollerBoundary:
     """
     A face of the grid that the material slides along and cannot part from.
     
@@ -1616,7 +1616,7 @@ class RollerWall:
     @face.setter
     def face(self, value: typing.Literal['x_lower', 'x_upper', 'y_lower', 'y_upper', 'z_lower', 'z_upper']) -> None:
         ...
-class FrictionalWall:
+class FrictionalBoundary:
     """
     A face of the grid that the material parts from freely and slides along with Coulomb friction.
     
@@ -1785,7 +1785,7 @@ class Pressure:
     Parameters
     ----------
     name : str, default ''
-        name of the region in ledger and messages
+        name of the region in balance and messages
     value : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], Pa, required
         pressure, positive into the body
     region : Shape | None, default None
@@ -1808,7 +1808,7 @@ class Pressure:
     @property
     def name(self) -> str:
         """
-        name of the region in ledger and messages
+        name of the region in balance and messages
         """
     @name.setter
     def name(self, value: str) -> None:
@@ -1836,7 +1836,7 @@ class Traction:
     Parameters
     ----------
     name : str, default ''
-        name of the region in ledger and messages
+        name of the region in balance and messages
     value : collections.abc.Sequence[float], Pa, required
         force per area, one number an axis
     factor : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], default 1.0
@@ -1869,7 +1869,7 @@ class Traction:
     @property
     def name(self) -> str:
         """
-        name of the region in ledger and messages
+        name of the region in balance and messages
         """
     @name.setter
     def name(self, value: str) -> None:
@@ -1890,25 +1890,25 @@ class Traction:
     @value.setter
     def value(self, value: collections.abc.Sequence[float]) -> None:
         ...
-class Momentum:
+class Dynamics:
     """
-    Explicit momentum: the section [momentum] of a scene.
+    Explicit dynamics: the section [dynamics] of a scene.
     
     Parameters
     ----------
-    gravity : collections.abc.Sequence[float], m/s2, default ()
+    gravity : collections.abc.Sequence[float], m/s^2, default ()
         one number an axis; empty: none
     transfer : typing.Literal['blended_apic', 'flip', 'apic', 'tpic'], default 'blended_apic'
         what points and nodes hand each other
     blend_rate : float, default 4.0
         blended_apic: rate, per unit of strain, at which points take the nodal velocity; at least 0
-    pic_share : float, default 0.05
+    pic_fraction : float, default 0.05
         flip: share of the nodal velocity, applied once a step; from 0 to 1
     stress_update : typing.Literal['usl', 'musl'], default 'musl'
         which nodal velocity strains the points
-    step_safety : float, default 0.5
+    courant : float, default 0.5
         automatic step over h / (wave speed + point speed); above 0 and at most 1
-    walls : list[NoSlipWall | RollerWall | FrictionalWall], default []
+    grid_boundaries : list[NoSlipBoundary | RollerBoundary | FrictionalBoundary], default []
         faces of the grid that hold the material; others are open
     obstacles : list[Obstacle], default []
         rigid shapes that material cannot enter, at rest or moving
@@ -1921,7 +1921,7 @@ class Momentum:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., transfer: typing.Literal['blended_apic', 'flip', 'apic', 'tpic'] = ..., blend_rate: float = ..., pic_share: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., step_safety: float = ..., walls: list[NoSlipWall | RollerWall | FrictionalWall] = ..., obstacles: list[Obstacle] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
+    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., transfer: typing.Literal['blended_apic', 'flip', 'apic', 'tpic'] = ..., blend_rate: float = ..., pic_fraction: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., courant: float = ..., grid_boundaries: list[NoSlipBoundary | RollerBoundary | FrictionalBoundary] = ..., obstacles: list[Obstacle] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -1946,12 +1946,28 @@ class Momentum:
     def boundaries(self, value: list[Pressure | Traction]) -> None:
         ...
     @property
+    def courant(self) -> float:
+        """
+        automatic step over h / (wave speed + point speed)
+        """
+    @courant.setter
+    def courant(self, value: float) -> None:
+        ...
+    @property
     def gravity(self) -> collections.abc.Sequence[float]:
         """
-        one number an axis; empty: none, m/s2
+        one number an axis; empty: none, m/s^2
         """
     @gravity.setter
     def gravity(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def grid_boundaries(self) -> list[NoSlipBoundary | RollerBoundary | FrictionalBoundary]:
+        """
+        faces of the grid that hold the material; others are open
+        """
+    @grid_boundaries.setter
+    def grid_boundaries(self, value: list[NoSlipBoundary | RollerBoundary | FrictionalBoundary]) -> None:
         ...
     @property
     def obstacles(self) -> list[Obstacle]:
@@ -1962,20 +1978,12 @@ class Momentum:
     def obstacles(self, value: list[Obstacle]) -> None:
         ...
     @property
-    def pic_share(self) -> float:
+    def pic_fraction(self) -> float:
         """
         flip: share of the nodal velocity, applied once a step
         """
-    @pic_share.setter
-    def pic_share(self, value: float) -> None:
-        ...
-    @property
-    def step_safety(self) -> float:
-        """
-        automatic step over h / (wave speed + point speed)
-        """
-    @step_safety.setter
-    def step_safety(self, value: float) -> None:
+    @pic_fraction.setter
+    def pic_fraction(self, value: float) -> None:
         ...
     @property
     def stress_update(self) -> typing.Literal['usl', 'musl']:
@@ -1993,15 +2001,7 @@ class Momentum:
     @transfer.setter
     def transfer(self, value: typing.Literal['blended_apic', 'flip', 'apic', 'tpic']) -> None:
         ...
-    @property
-    def walls(self) -> list[NoSlipWall | RollerWall | FrictionalWall]:
-        """
-        faces of the grid that hold the material; others are open
-        """
-    @walls.setter
-    def walls(self, value: list[NoSlipWall | RollerWall | FrictionalWall]) -> None:
-        ...
-class ImplicitWall:
+class Support:
     """
     A surface on which the displacement is prescribed; it need not fit the grid.
     
@@ -2199,13 +2199,13 @@ class QuasiStatic:
     
     Parameters
     ----------
-    wall_form : typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'], default 'mean-gap'
+    enforcement : typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'], default 'mean-gap'
         how walls are imposed where they do not fit the grid
     bandwidth : float | None, cells, default None
         of the stiff constraint; absent: 1e-3, literal 1e-6; above 0 and at most 1 (cells)
     gap_bandwidth : float, cells, default 0.05
         of the moderate constraint of mean-gap and nitsche; above 0 and at most 1 (cells)
-    ghost : float | None, default None
+    ghost_penalty : float | None, default None
         stabilisation of cut and surface cells; absent: 0.01, literal none; from 0 to 1
     hold_empty_cells : bool, default True
         a wall in an empty cell next to material keeps its hold
@@ -2217,17 +2217,17 @@ class QuasiStatic:
         volumes of points follow their strain at each reset of the grid; absent: yes, literal no
     b_bar : bool | None, default 'auto'
         points take the mean dilatation of their cell, so that it does not lock; absent: those of a Poisson ratio above 0.4
-    largest_penetration : float, cells, default 0.5
+    max_penetration : float, cells, default 0.5
         a point further behind a wall fails the load step; above 0 (cells)
     body_force : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], N/m^3, default ()
         force per volume, one value an axis
     tolerance : float, default 1e-10
         of the out-of-balance force, relative; above 0 and at most 0.01
-    largest_iterations : int, default 12
+    max_iterations : int, default 12
         of Newton's method in one load step; from 1 to 1000
-    largest_halvings : int, default 6
+    max_cutbacks : int, default 6
         of a load step that fails; from 0 to 30
-    walls : list[ImplicitWall], default []
+    supports : list[Support], default []
         where the displacement is prescribed
     tractions : list[SurfaceTraction], default []
         where forces act on the surface
@@ -2238,7 +2238,7 @@ class QuasiStatic:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, wall_form: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'] = ..., bandwidth: float | None = ..., gap_bandwidth: float = ..., ghost: float | None = ..., hold_empty_cells: bool = ..., reset: float | None = ..., relaxation: float | None = ..., update_volumes: bool | None | str = ..., b_bar: bool | None | str = ..., largest_penetration: float = ..., body_force: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., tolerance: float = ..., largest_iterations: int = ..., largest_halvings: int = ..., walls: list[ImplicitWall] = ..., tractions: list[SurfaceTraction] = ...) -> None:
+    def __init__(self, *, enforcement: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'] = ..., bandwidth: float | None = ..., gap_bandwidth: float = ..., ghost_penalty: float | None = ..., hold_empty_cells: bool = ..., reset: float | None = ..., relaxation: float | None = ..., update_volumes: bool | None | str = ..., b_bar: bool | None | str = ..., max_penetration: float = ..., body_force: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., tolerance: float = ..., max_iterations: int = ..., max_cutbacks: int = ..., supports: list[Support] = ..., tractions: list[SurfaceTraction] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -2271,6 +2271,14 @@ class QuasiStatic:
     def body_force(self, value: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]) -> None:
         ...
     @property
+    def enforcement(self) -> typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty']:
+        """
+        how walls are imposed where they do not fit the grid
+        """
+    @enforcement.setter
+    def enforcement(self, value: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty']) -> None:
+        ...
+    @property
     def gap_bandwidth(self) -> float:
         """
         of the moderate constraint of mean-gap and nitsche, cells
@@ -2279,12 +2287,12 @@ class QuasiStatic:
     def gap_bandwidth(self, value: float) -> None:
         ...
     @property
-    def ghost(self) -> float | None:
+    def ghost_penalty(self) -> float | None:
         """
         stabilisation of cut and surface cells; absent: 0.01, literal none
         """
-    @ghost.setter
-    def ghost(self, value: float | None) -> None:
+    @ghost_penalty.setter
+    def ghost_penalty(self, value: float | None) -> None:
         ...
     @property
     def hold_empty_cells(self) -> bool:
@@ -2295,28 +2303,28 @@ class QuasiStatic:
     def hold_empty_cells(self, value: bool) -> None:
         ...
     @property
-    def largest_halvings(self) -> int:
+    def max_cutbacks(self) -> int:
         """
         of a load step that fails
         """
-    @largest_halvings.setter
-    def largest_halvings(self, value: int) -> None:
+    @max_cutbacks.setter
+    def max_cutbacks(self, value: int) -> None:
         ...
     @property
-    def largest_iterations(self) -> int:
+    def max_iterations(self) -> int:
         """
         of Newton's method in one load step
         """
-    @largest_iterations.setter
-    def largest_iterations(self, value: int) -> None:
+    @max_iterations.setter
+    def max_iterations(self, value: int) -> None:
         ...
     @property
-    def largest_penetration(self) -> float:
+    def max_penetration(self) -> float:
         """
         a point further behind a wall fails the load step, cells
         """
-    @largest_penetration.setter
-    def largest_penetration(self, value: float) -> None:
+    @max_penetration.setter
+    def max_penetration(self, value: float) -> None:
         ...
     @property
     def relaxation(self) -> float | None:
@@ -2333,6 +2341,14 @@ class QuasiStatic:
         """
     @reset.setter
     def reset(self, value: float | None) -> None:
+        ...
+    @property
+    def supports(self) -> list[Support]:
+        """
+        where the displacement is prescribed
+        """
+    @supports.setter
+    def supports(self, value: list[Support]) -> None:
         ...
     @property
     def tolerance(self) -> float:
@@ -2357,22 +2373,6 @@ class QuasiStatic:
         """
     @update_volumes.setter
     def update_volumes(self, value: bool | None | str) -> None:
-        ...
-    @property
-    def wall_form(self) -> typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty']:
-        """
-        how walls are imposed where they do not fit the grid
-        """
-    @wall_form.setter
-    def wall_form(self, value: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty']) -> None:
-        ...
-    @property
-    def walls(self) -> list[ImplicitWall]:
-        """
-        where the displacement is prescribed
-        """
-    @walls.setter
-    def walls(self, value: list[ImplicitWall]) -> None:
         ...
 class Points:
     """
@@ -2566,7 +2566,7 @@ class Geostatic:
         a place on the free surface
     normal : collections.abc.Sequence[float], default ()
         outward normal of the surface; empty: against gravity
-    lateral : float, default 0.5
+    k0 : float, default 0.5
         stress along the surface over the one across it; at least 0
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
@@ -2575,7 +2575,7 @@ class Geostatic:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, surface: collections.abc.Sequence[float], normal: collections.abc.Sequence[float] = ..., lateral: float = ...) -> None:
+    def __init__(self, *, surface: collections.abc.Sequence[float], normal: collections.abc.Sequence[float] = ..., k0: float = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -2584,12 +2584,12 @@ class Geostatic:
     def __setstate__(self, members: dict[str, typing.Any]) -> None:
         ...
     @property
-    def lateral(self) -> float:
+    def k0(self) -> float:
         """
         stress along the surface over the one across it
         """
-    @lateral.setter
-    def lateral(self, value: float) -> None:
+    @k0.setter
+    def k0(self, value: float) -> None:
         ...
     @property
     def normal(self) -> collections.abc.Sequence[float]:
@@ -2632,7 +2632,7 @@ class Body:
     seed : int, default 1
         seed of jitter and random; at least 0
     rotation : float, degree, default 0.0
-        turn of the filled points, anticlockwise
+        turn of the filled points, counter-clockwise
     rotation_center : collections.abc.Sequence[float], m, default ()
         point that stays; empty: the origin
     rotation_axis : collections.abc.Sequence[float], default (0.0, 0.0, 1.0)
@@ -2749,7 +2749,7 @@ class Body:
     @property
     def rotation(self) -> float:
         """
-        turn of the filled points, anticlockwise, degree
+        turn of the filled points, counter-clockwise, degree
         """
     @rotation.setter
     def rotation(self, value: float) -> None:
@@ -2943,7 +2943,7 @@ class PeridynamicHeat:
         how conduction is formed from bonds
     zero_energy : float, default 0.5
         coefficient of the zero-energy term; at least 0
-    dissipation : bool, default False
+    viscous_dissipation : bool, default False
         whether viscous work becomes heat
     skin : float, default 0.3
         reach of the neighbour list beyond the horizon, in spacings; above 0 and at most 2
@@ -2956,21 +2956,13 @@ class PeridynamicHeat:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, horizon: float = ..., influence: typing.Literal['gaussian', 'unity', 'spline'] = ..., laplacian: typing.Literal['literal', 'zero-energy', 'compact', 'corrected'] = ..., zero_energy: float = ..., dissipation: bool = ..., skin: float = ..., step_factor: float = ...) -> None:
+    def __init__(self, *, horizon: float = ..., influence: typing.Literal['gaussian', 'unity', 'spline'] = ..., laplacian: typing.Literal['literal', 'zero-energy', 'compact', 'corrected'] = ..., zero_energy: float = ..., viscous_dissipation: bool = ..., skin: float = ..., step_factor: float = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
     def __setattr__(self, name: str, value: typing.Any) -> None:
         ...
     def __setstate__(self, members: dict[str, typing.Any]) -> None:
-        ...
-    @property
-    def dissipation(self) -> bool:
-        """
-        whether viscous work becomes heat
-        """
-    @dissipation.setter
-    def dissipation(self, value: bool) -> None:
         ...
     @property
     def horizon(self) -> float:
@@ -3011,6 +3003,14 @@ class PeridynamicHeat:
         """
     @step_factor.setter
     def step_factor(self, value: float) -> None:
+        ...
+    @property
+    def viscous_dissipation(self) -> bool:
+        """
+        whether viscous work becomes heat
+        """
+    @viscous_dissipation.setter
+    def viscous_dissipation(self, value: bool) -> None:
         ...
     @property
     def zero_energy(self) -> float:
@@ -3550,8 +3550,8 @@ class Scene:
         bodies
     heat : Heat | None, default None
         heat conduction; absent: not modelled
-    momentum : Momentum | None, default None
-        explicit momentum; absent: not modelled
+    dynamics : Dynamics | None, default None
+        explicit dynamics; absent: not modelled
     quasi_static : QuasiStatic | None, default None
         equilibrium under load steps; absent: not modelled
     peridynamics : Peridynamics | None, default None
@@ -3579,7 +3579,7 @@ class Scene:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, title: str = ..., grid: Grid, bodies: list[Body], heat: Heat | None = ..., momentum: Momentum | None = ..., quasi_static: QuasiStatic | None = ..., peridynamics: Peridynamics | None = ..., time: Time, output: Output = ..., probes: list[Probe] = ...) -> None:
+    def __init__(self, *, title: str = ..., grid: Grid, bodies: list[Body], heat: Heat | None = ..., dynamics: Dynamics | None = ..., quasi_static: QuasiStatic | None = ..., peridynamics: Peridynamics | None = ..., time: Time, output: Output = ..., probes: list[Probe] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -3612,6 +3612,14 @@ class Scene:
     def bodies(self, value: list[Body]) -> None:
         ...
     @property
+    def dynamics(self) -> Dynamics | None:
+        """
+        explicit dynamics; absent: not modelled
+        """
+    @dynamics.setter
+    def dynamics(self, value: Dynamics | None) -> None:
+        ...
+    @property
     def grid(self) -> Grid:
         """
         background grid
@@ -3626,14 +3634,6 @@ class Scene:
         """
     @heat.setter
     def heat(self, value: Heat | None) -> None:
-        ...
-    @property
-    def momentum(self) -> Momentum | None:
-        """
-        explicit momentum; absent: not modelled
-        """
-    @momentum.setter
-    def momentum(self, value: Momentum | None) -> None:
         ...
     @property
     def output(self) -> Output:
@@ -3704,9 +3704,9 @@ class StepReport:
         """
         relative residual of implicit solves
         """
-class Ledger:
+class Balance:
     """
-    The account of one conserved quantity: what was there, what came in, what is there now.
+    The account of one conserved quantity: what was there, what was supplied, what is there now.
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
     def __eq__(self, other: typing.Any) -> bool:
@@ -3739,7 +3739,7 @@ class Ledger:
         stored now
         """
     @property
-    def taken_in(self) -> float:
+    def supplied(self) -> float:
         """
         sum of the entries, counted inwards
         """
@@ -3761,7 +3761,7 @@ class Simulation:
         ...
     def __getitem__(self, name: str) -> numpy.typing.NDArray[typing.Any]:
         """
-        A field as a read-only view without copy, brought up to date, one row a point in the present order. It keeps the simulation alive; later steps change it.
+        A field as a read-only view without copy, brought up to date, one row per point in the present order. It keeps the simulation alive; later steps change it.
         """
     def __init__(self, scene: Scene) -> None:
         ...
@@ -3771,6 +3771,10 @@ class Simulation:
         """
     def __reduce__(self) -> typing.Any:
         ...
+    def balance(self) -> list[Balance]:
+        """
+        The account of every conserved quantity.
+        """
     def by_id(self, name: str) -> numpy.typing.NDArray[typing.Any]:
         """
         A copy of a field with its rows in the order of the points' ids.
@@ -3778,10 +3782,6 @@ class Simulation:
     def diagnostics(self) -> dict[str, float]:
         """
         Numbers worth watching, by physics.
-        """
-    def ledger(self) -> list[Ledger]:
-        """
-        The account of every conserved quantity.
         """
     def limits(self) -> dict[str, tuple[float, float, str]]:
         """
@@ -3797,7 +3797,7 @@ class Simulation:
         """
     def surface(self) -> dict[str, numpy.typing.NDArray[numpy.float64]]:
         """
-        The nodes that boundary laws act on: position on the surface, outward normal, area. Empty without laws.
+        The nodes that boundary conditions act on: position on the surface, outward normal, area. Empty without them.
         """
     def unit(self, name: str) -> str:
         """
@@ -3964,7 +3964,7 @@ class FrameReader:
         ...
     def read(self, frame: int, name: str) -> numpy.typing.NDArray[typing.Any]:
         """
-        One field of one frame, one row a point in the order of ids.
+        One field of one frame, one row per point in the order of ids.
         """
     @property
     def fields(self) -> list[str]:
@@ -4012,10 +4012,6 @@ def rebuild_index(frames: str) -> int:
     """
     Make a lost or damaged index anew from the data files beside it; the number of frames.
     """
-def renamed_key(path: str) -> str:
-    """
-    The present name of a key that was renamed; empty for others.
-    """
 def run_simulation(simulation: Simulation, scene: Scene, resume: bool, progress: collections.abc.Callable[[Progress], None] | None, callback: collections.abc.Callable[[Simulation], typing.Any] | None) -> RunSummary:
     """
     Run to the end of the scene and leave what its output section asks for. After Ctrl-C, or an error in the callback, the last frame and checkpoint are written before it is raised.
@@ -4035,6 +4031,10 @@ def summary_text(simulation: Simulation, summary: RunSummary, output: str) -> st
 def thread_count() -> int:
     """
     Threads that every loop may use.
+    """
+def unknown_name(what: str, given: str, names: list[str]) -> str:
+    """
+    What to say of a name that is none of these: what it is called now, what was meant, or what there is.
     """
 def unused_settings(scene: Scene) -> list[str]:
     """

@@ -166,7 +166,7 @@ def _count(text: str) -> int:
     try:
         number = int(text)
     except ValueError:
-        raise argparse.ArgumentTypeError(f"a whole number, got {text!r}") from None
+        raise argparse.ArgumentTypeError(f"an integer, got {text!r}") from None
     if not 1 <= number <= 4096:
         raise argparse.ArgumentTypeError(f"from 1 to 4096, got {number}")
     return number
@@ -218,7 +218,7 @@ def _add_extremes(commands: argparse._SubParsersAction[Parser]) -> None:
     extremes.add_argument(
         "--transfer",
         action="append",
-        choices=["kept", "flip", "pic", "tpic", "affine", "peridynamics", "momentum"],
+        choices=["nodal", "flip", "pic", "tpic", "affine", "peridynamics", "dynamics"],
         help="one transfer of heat, or a method; may be repeated; all unless given",
     )
     extremes.add_argument("--quick", action="store_true", help="four steps a case")

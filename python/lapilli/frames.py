@@ -30,7 +30,7 @@ class Frame:
         return f"<frame {self.number} at {self.time:g} s>"
 
     def __getitem__(self, name: str) -> Array:
-        """A field, one row a point in the order of the points' ids.
+        """A field, one row per point in the order of the points' ids.
 
         Raises ``OutputError`` naming file, frame and field when it is damaged or missing.
         """

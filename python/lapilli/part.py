@@ -44,7 +44,7 @@ class Part:
 
     @property
     def position(self) -> npt.NDArray[np.float64]:
-        """Positions, one row a point, m."""
+        """Positions, one row per point, m."""
         return self["position"]
 
 

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from lapilli import _core
-from lapilli._core import Ledger, RunSummary, Scene, Simulation
+from lapilli._core import Balance, RunSummary, Scene, Simulation
 from lapilli.frames import Frames
 from lapilli.history import History
 from lapilli.part import Part, names_of
@@ -68,9 +68,9 @@ class Result:
         return self.simulation.time
 
     @property
-    def ledger(self) -> dict[str, Ledger]:
+    def balance(self) -> dict[str, Balance]:
         """The account of every conserved quantity, by its name ("heat")."""
-        return {ledger.quantity: ledger for ledger in self.simulation.ledger()}
+        return {balance.quantity: balance for balance in self.simulation.balance()}
 
     def report(self) -> str:
         """How the run ended, its balances and what its user should know, as lines of text."""
@@ -90,7 +90,7 @@ class Result:
 
     @property
     def record(self) -> dict[str, Any]:
-        """The run record that lies beside the frames: settings, version, timings, ledgers."""
+        """The run record that lies beside the frames: settings, version, timings, balances."""
         if self.output is None:
             raise ValueError("the run wrote no record: give output='name.vtkhdf'")
         record: dict[str, Any] = json.loads(self.output.with_suffix(".json").read_text())

@@ -24,7 +24,7 @@ def test_run_plot_and_merge(scene_file: str, capsys: pytest.CaptureFixture[str])
     assert main(["run", scene_file, "--every", "0.5", "--set", "heat.transfer=flip"]) == 0
     shown = capsys.readouterr()
     assert "finished at 1 s" in shown.out
-    assert "balance off by" in shown.out
+    assert "residual" in shown.out
     assert "100 %" in shown.err
     assert "left" in shown.err
     assert lp.Frames("ring.vtkhdf").times.tolist() == [0, 0.5, 1]

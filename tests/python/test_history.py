@@ -104,7 +104,7 @@ def test_heat_by_each_boundary_condition_is_recorded() -> None:
     history = result.history
     supplied = next(name for name in history if name.startswith("heat/supplied_by_"))
     assert "rims" in supplied
-    assert history[supplied][-1] == result.ledger["heat"].entries["rims"]
+    assert history[supplied][-1] == result.balance["heat"].entries["rims"]
     assert np.all(np.diff(history[supplied]) > 0)
     assert history.unit("heat/surface_area") == "m"
     assert history["temperature/smallest"][0] == 0 == history["temperature/largest"][0]
@@ -154,7 +154,7 @@ def test_the_record_holds_numbers_a_reader_of_json_takes(tmp_path: Path) -> None
     scene.heat.theta = 0.7
     lp.run(scene, tmp_path / "ring.vtkhdf", progress=False)
     record = json.loads((tmp_path / "ring.json").read_text())
-    assert record["notes"] == ["heat.theta has no effect: heat.stepping is not theta"]
+    assert record["notes"] == ["heat.theta has no effect: heat.time_integration is not implicit"]
 
 
 @pytest.mark.parametrize("position", [(0, 0), (5.5, 0), (0.99, 0)])

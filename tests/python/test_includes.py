@@ -13,9 +13,10 @@ ALLOWED = {
     "materials": {"materials", "core"},
     "geometry": {"geometry", "core"},
     "output": {"output", "core"},
-    "mpm": {"mpm", "materials", "geometry", "core"},
+    "algebra": {"algebra", "geometry", "core"},
+    "mpm": {"mpm", "algebra", "materials", "geometry", "core"},
     "peridynamics": {"peridynamics", "materials", "geometry", "core"},
-    "scene": {"scene", "output", "mpm", "peridynamics", "materials", "geometry", "core"},
+    "scene": {"scene", "output", "algebra", "mpm", "peridynamics", "materials", "geometry", "core"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+"lapilli/([a-z_0-9]+)/', re.MULTILINE)
 SYSTEM = re.compile(r"^\s*#\s*include\s+<([^>]+)>", re.MULTILINE)

@@ -19,9 +19,9 @@ def test_a_run_gives_fields_ledger_frames_and_record(ring: lp.Scene, tmp_path: P
     assert result.time == 1.0
     np.testing.assert_allclose(result.times, [0, 0.25, 0.5, 0.75, 1])
     assert 0 < result["temperature"].min() < result["temperature"].max() < 1
-    heat = result.ledger["heat"]
+    heat = result.balance["heat"]
     assert abs(heat.residual) < 1e-12
-    assert heat.taken_in == pytest.approx(sum(heat.entries.values()))
+    assert heat.supplied == pytest.approx(sum(heat.entries.values()))
     assert heat.stored == pytest.approx(result["volume"] @ result["temperature"], rel=1e-2)
     last = result.frames[-1]
     np.testing.assert_array_equal(last["temperature"], result.by_id("temperature"))

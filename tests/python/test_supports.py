@@ -53,7 +53,7 @@ def test_frames_hold_symmetric_stress(turned: lp.Scene, tmp_path: Path) -> None:
 def test_resumed_run_gives_the_same_bytes(tmp_path: Path) -> None:
     """Stopped after 7 of 12 load steps, between two resets of the grid."""
     scene = block.block_scene(30, 0.01).set("time.steps=12")
-    section(scene).walls[-1].displacement = ramp(0.004 * Frame(30).e1)
+    section(scene).supports[-1].displacement = ramp(0.004 * Frame(30).e1)
     whole = lp.run(scene, tmp_path / "whole.vtkhdf", progress=False)
     lp.run(
         scene,
@@ -90,7 +90,7 @@ def failure(scene: lp.Scene) -> str:
 
 def test_a_wall_that_cuts_nothing_is_named(turned: lp.Scene) -> None:
     far = Frame(30).roller("far", (0.14, 0.0), (-1, 0))
-    section(turned).walls = [*section(turned).walls, far]
+    section(turned).supports = [*section(turned).supports, far]
     assert "wall 'far' cuts no material" in refusal(turned)
 
 
@@ -98,17 +98,19 @@ def test_walls_that_contradict_each_other_are_named(turned: lp.Scene) -> None:
     lines = [[0.0, 0.1], [0.0, 0.0]]
     for name, motion in (("one", 0.0), ("other", 1e-3)):
         line = Frame(30).line(*[tuple(place) for place in lines])
-        wall = lp.ImplicitWall(name=name, kind="fixed", line=line)
+        wall = lp.Support(name=name, kind="fixed", line=line)
         if motion:
             wall.displacement = ramp([motion, 0.0])
-        section(turned).walls = [*section(turned).walls, wall]
+        section(turned).supports = [*section(turned).supports, wall]
     said = failure(turned)
     assert "and 'other' contradict each other" in said
     assert "step 0" in said
 
 
 def test_the_rigid_motion_that_is_left_is_named(turned: lp.Scene) -> None:
-    section(turned).walls = [wall for wall in section(turned).walls if wall.name in ("base", "top")]
+    section(turned).supports = [
+        wall for wall in section(turned).supports if wall.name in ("base", "top")
+    ]
     assert "held by nothing against translation along (-0.866025, -0.5)" in failure(turned)
 
 
@@ -117,8 +119,8 @@ def test_a_step_that_pushes_points_through_a_wall_is_refused() -> None:
     scene = column.column_scene(0, 0.02)
     scene.grid.lower = [-0.02, -0.1]
     settings = section(scene)
-    settings.wall_form, settings.bandwidth, settings.largest_halvings = "penalty", 1.0, 1
-    settings.largest_penetration = 0.1
+    settings.enforcement, settings.bandwidth, settings.max_cutbacks = "penalty", 1.0, 1
+    settings.max_penetration = 0.1
     settings.body_force = ramp([0.0, -2e10])
     said = failure(scene)
     assert "after 1 halvings" in said
@@ -128,7 +130,7 @@ def test_a_step_that_pushes_points_through_a_wall_is_refused() -> None:
 
 def test_an_indefinite_matrix_is_refused(turned: lp.Scene) -> None:
     settings = section(turned)
-    settings.wall_form, settings.gap_bandwidth, settings.ghost = "nitsche", 1.0, 0.0
+    settings.enforcement, settings.gap_bandwidth, settings.ghost_penalty = "nitsche", 1.0, 0.0
     said = failure(turned)
     assert "not positive definite" in said
     assert "next to wall" in said
@@ -140,8 +142,8 @@ def test_the_last_converged_state_is_written(tmp_path: Path) -> None:
     scene = block.block_scene(0, 0.02).set("time.steps=4")
     settings = section(scene)
     settings.reset = 0.0
-    settings.walls[-1].kind = "roller"
-    settings.walls[-1].displacement = [([0.0, 0.5, 1.0], [0.0, 0.0005, 0.5]), 0.0]
+    settings.supports[-1].kind = "roller"
+    settings.supports[-1].displacement = [([0.0, 0.5, 1.0], [0.0, 0.0005, 0.5]), 0.0]
     output = tmp_path / "torn.vtkhdf"
     with pytest.raises(lp.RunError, match=r"last good frame is that of time 0\.5\d+ s"):
         lp.run(scene, output, progress=False)
@@ -160,9 +162,9 @@ def test_the_last_converged_state_is_written(tmp_path: Path) -> None:
     ("change", "says"),
     [
         ("quasi_static.bandwidth=0", "above 0"),
-        ("quasi_static.wall_form=mean", "mean-gap"),
-        ("quasi_static.walls.0.kind=slip", "roller"),
-        ("quasi_static.walls.0.knd=roller", "kind"),
+        ("quasi_static.enforcement=mean", "mean-gap"),
+        ("quasi_static.supports.0.kind=slip", "roller"),
+        ("quasi_static.supports.0.knd=roller", "kind"),
         ("quasi_static.tolerance=-1", "above 0"),
         ("grid.shape_function=bspline", "linear or gimp"),
     ],
@@ -186,9 +188,9 @@ def test_sections_that_do_not_go_together_are_refused(turned: lp.Scene) -> None:
     soft = block.block_scene(30, 0.02)
     soft.bodies[0].material = [lp.Thermal(density=1, specific_heat=1, conductivity=1)]
     assert "no elastic material" in refusal(soft)
-    endless = block.block_scene(30, 0.02)
-    endless.time.steps = None
-    assert "time.steps" in refusal(endless)
+    infinite = block.block_scene(30, 0.02)
+    infinite.time.steps = None
+    assert "time.steps" in refusal(infinite)
 
 
 @pytest.mark.parametrize(("steps", "reset"), [(1, 0.1), (7, 0.1), (7, 0.0)])
@@ -220,6 +222,6 @@ def test_large_strains_are_warned_of(tmp_path: Path) -> None:
     scene = block.block_scene(0, 0.02)
     small = lp.run(scene, tmp_path / "small.vtkhdf", progress=False)
     assert small.warnings == []
-    section(scene).walls[-1].displacement = ramp([0.004, 0.0])
+    section(scene).supports[-1].displacement = ramp([0.004, 0.0])
     large = lp.run(scene, tmp_path / "large.vtkhdf", progress=False)
     assert "the largest strain is 0.04" in large.warnings[0]

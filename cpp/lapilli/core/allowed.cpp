@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "lapilli/core/renamed.hpp"
+
 namespace lapilli {
 namespace {
 
@@ -24,9 +26,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   }
   return last[b.size()];
 }
-
-/// Keys that were replaced, and by which.
-constexpr std::pair<std::string_view, const char*> replaced[] = {{"clip", "fill"}};
 
 }  // namespace
 
@@ -77,11 +76,8 @@ void check_length(const Key& key, Index count, std::string_view where) {
 }
 
 std::string nearest_name(std::string_view given, const std::vector<std::string>& candidates) {
-  for (const auto& [former, now] : replaced) {
-    if (given == former &&
-        std::find(candidates.begin(), candidates.end(), now) != candidates.end()) {
-      return now;
-    }
+  if (const std::string now = new_name(given, candidates); !now.empty()) {
+    return now;
   }
   std::string nearest;
   std::size_t least = std::max<std::size_t>(2, given.size() / 3) + 1;
@@ -97,6 +93,9 @@ std::string nearest_name(std::string_view given, const std::vector<std::string>&
 
 std::string unknown_name(std::string_view what, std::string_view given,
                          const std::vector<std::string>& candidates) {
+  if (const std::string now = new_name(given, candidates); !now.empty()) {
+    return message("unknown ", what, " '", given, "'; it is called '", now, "' now");
+  }
   const std::string nearest = nearest_name(given, candidates);
   if (!nearest.empty()) {
     return message("unknown ", what, " '", given, "'; did you mean '", nearest, "'?");

@@ -77,15 +77,16 @@ const Known* known_as(const std::string& name) {
 }
 
 void add_balances(const Simulation& simulation, std::vector<Scalar>& all) {
-  for (const Ledger& ledger : simulation.ledgers()) {
-    const std::string name = snake_case(ledger.quantity) + "/";
-    all.push_back({name + "stored", ledger.stored, ledger.unit, ledger.quantity + " stored now"});
-    for (const Ledger::Entry& entry : ledger.entries) {
-      all.push_back({name + "supplied_by_" + snake_case(entry.name), entry.in, ledger.unit,
-                     ledger.quantity + " supplied by " + entry.name + " since the start"});
+  for (const Balance& balance : simulation.balances()) {
+    const std::string name = snake_case(balance.quantity) + "/";
+    all.push_back(
+        {name + "stored", balance.stored, balance.unit, balance.quantity + " stored now"});
+    for (const Balance::Entry& entry : balance.entries) {
+      all.push_back({name + "supplied_by_" + snake_case(entry.name), entry.in, balance.unit,
+                     balance.quantity + " supplied by " + entry.name + " since the start"});
     }
-    all.push_back({name + "residual", ledger.residual(), "",
-                   "relative error of the balance of " + ledger.quantity});
+    all.push_back({name + "residual", balance.residual(), "",
+                   "relative error of the balance of " + balance.quantity});
   }
 }
 

@@ -9,7 +9,7 @@ namespace lapilli {
 
 /// One number that is recorded in time.
 struct Scalar {
-  std::string name;     // "momentum/kinetic_energy": letters, digits, _ and one slash
+  std::string name;     // "dynamics/kinetic_energy": letters, digits, _ and one slash
   double value = 0.0;   //
   std::string unit;     // per metre of depth in two dimensions, per square metre in one
   std::string meaning;  // one sentence

@@ -7,7 +7,7 @@
 
 namespace lapilli {
 
-/// What output and Python see of a quantity that points carry: one row a point, in current order.
+/// What output and Python see of a quantity that points carry: one row per point, in current order.
 struct Field {
   std::string name;          // "temperature"
   std::string unit;          // "K"

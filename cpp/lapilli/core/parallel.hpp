@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "lapilli/core/first_failure.hpp"
 #include "lapilli/core/vector.hpp"
 
 #ifdef _OPENMP
@@ -28,7 +29,7 @@ void set_thread_count(int threads);
 
 // The loops below give the same bytes for any number of threads as long as iterations are
 // independent: work is cut in pieces whose size does not depend on the threads, and partial sums
-// are added in order. Bodies must not throw.
+// are added in order. What a body throws leaves the loop: the exception of the earliest task.
 
 /// Rows worked on as one piece by `parallel_ranges` and `parallel_sum`.
 inline constexpr Index piece_rows = 2048;
@@ -36,26 +37,30 @@ inline constexpr Index piece_rows = 2048;
 /// Call body(task) for task = 0 .. tasks-1, each once, handed out dynamically.
 template <class Body>
 void parallel_tasks(Index tasks, const Body& body) {
+  FirstFailure failure;
 #ifdef _OPENMP
   const int threads = static_cast<int>(std::min<Index>(thread_count(), tasks));
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (threads > 1)
 #endif
   for (Index task = 0; task < tasks; ++task) {
-    body(task);
+    failure.attempt(task, [&] { body(task); });
   }
+  failure.rethrow();
 }
 
 /// Call body(task) for task = 0 .. tasks-1, each thread a run of neighbouring tasks: for tasks that
 /// cost about the same, so that a thread meets the same rows in every loop.
 template <class Body>
 void parallel_runs(Index tasks, const Body& body) {
+  FirstFailure failure;
 #ifdef _OPENMP
   const int threads = static_cast<int>(std::min<Index>(thread_count(), tasks));
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
 #endif
   for (Index task = 0; task < tasks; ++task) {
-    body(task);
+    failure.attempt(task, [&] { body(task); });
   }
+  failure.rethrow();
 }
 
 /// The tasks whose results a task needs.
@@ -70,12 +75,16 @@ template <class Lead, class Follow>
 void parallel_wave(const std::vector<TaskRange>& needs, const Lead& lead, const Follow& follow) {
   const auto tasks = static_cast<Index>(needs.size());
   std::vector<char> followed(needs.size(), 0);
+  FirstFailure failure;  // a lead comes before every follower
   const auto run = [&](Index begin, Index end) {
     for (Index task = begin, next = begin; task < end; ++task) {
-      lead(task);
+      failure.attempt(task, [&] { lead(task); });
+      if (failure.before(tasks)) {
+        continue;
+      }
       for (; next <= task && needs[next].last <= task; ++next) {
         if (needs[next].first >= begin) {
-          follow(next);
+          failure.attempt(tasks + next, [&] { follow(next); });
           followed[next] = 1;
         }
       }
@@ -83,7 +92,7 @@ void parallel_wave(const std::vector<TaskRange>& needs, const Lead& lead, const 
   };
   const auto follow_late = [&](Index task) {
     if (!followed[task]) {
-      follow(task);
+      failure.attempt(tasks + task, [&] { follow(task); });
     }
   };
 #ifdef _OPENMP
@@ -105,6 +114,7 @@ void parallel_wave(const std::vector<TaskRange>& needs, const Lead& lead, const 
     follow_late(task);
   }
 #endif
+  failure.rethrow();
 }
 
 /// What a loop does a row: loops of a few operations a row are worth a second thread only from many
@@ -115,6 +125,7 @@ enum class Work { heavy, light };
 template <class Body>
 void parallel_ranges(Index rows, const Body& body, Work work = Work::heavy) {
   const Index pieces = (rows + piece_rows - 1) / piece_rows;
+  FirstFailure failure;
 #ifdef _OPENMP
   constexpr Index light_pieces = 64;
   const bool pays = work == Work::heavy || pieces >= light_pieces;
@@ -122,8 +133,10 @@ void parallel_ranges(Index rows, const Body& body, Work work = Work::heavy) {
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
 #endif
   for (Index piece = 0; piece < pieces; ++piece) {
-    body(piece * piece_rows, std::min(rows, (piece + 1) * piece_rows));
+    failure.attempt(piece,
+                    [&] { body(piece * piece_rows, std::min(rows, (piece + 1) * piece_rows)); });
   }
+  failure.rethrow();
 }
 
 /// Call body(row) for every row of [0, rows).

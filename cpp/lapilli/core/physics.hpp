@@ -5,18 +5,18 @@
 #include <vector>
 
 #include "lapilli/core/archive.hpp"
+#include "lapilli/core/balance.hpp"
 #include "lapilli/core/field.hpp"
-#include "lapilli/core/ledger.hpp"
 #include "lapilli/core/vector.hpp"
 
 namespace lapilli {
 
 /// One step of the clock: from `time` over `size`.
 struct Step {
-  double time = 0.0;  // s, at the start of the step
-  double size = 0.0;  // s
-  Index index = 0;    // counts from 0
-  bool look = true;   // whether somebody may look at the fields after this step
+  double time = 0.0;       // s, at the start of the step
+  double size = 0.0;       // s
+  Index index = 0;         // counts from 0
+  bool output_due = true;  // whether somebody may look at the fields after this step
 };
 
 /// How large a step may be. Both are infinite for implicit solvers.
@@ -38,14 +38,14 @@ class Physics {
  public:
   virtual ~Physics() = default;
 
-  virtual std::string name() const = 0;  // "heat", "momentum"
+  virtual std::string name() const = 0;  // "heat", "dynamics"
   virtual StepLimit step_limit() const = 0;
   /// Evolve its fields over one step. Throws RunError when the run cannot go on.
   virtual StepReport advance(const Step& step) = 0;
   /// Bring the point values of `fields()` up to date; called before anybody looks.
   virtual void refresh_output() {}
   virtual std::vector<Field> fields() = 0;
-  virtual std::vector<Ledger> ledgers() const { return {}; }
+  virtual std::vector<Balance> balances() const { return {}; }
   /// Everything a bitwise resume needs, whether output shows it or not.
   virtual void save(Archive& archive) const = 0;
   virtual void load(const Archive& archive) = 0;

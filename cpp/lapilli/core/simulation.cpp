@@ -60,7 +60,7 @@ void Simulation::require_whole() const {
   }
 }
 
-StepReport Simulation::step(double until, bool look) {
+StepReport Simulation::step(double until, bool output_due) {
   require_whole();
   double size = next_step_size();
   const double left = until - time_;
@@ -68,19 +68,19 @@ StepReport Simulation::step(double until, bool look) {
   if (left < size * (1.0 + 1e-6)) {
     size = left;
   }
-  StepReport report = advance(size, look || size == left);
+  StepReport report = advance(size, output_due || size == left);
   if (size == left && report.accepted == size) {
     time_ = until;
   }
   return report;
 }
 
-StepReport Simulation::advance(double size, bool look) {
+StepReport Simulation::advance(double size, bool output_due) {
   StepReport total;
   total.accepted = size;
   try {
     for (const auto& physics : physics_) {
-      const StepReport report = physics->advance({time_, size, index_, look});
+      const StepReport report = physics->advance({time_, size, index_, output_due});
       total.accepted = std::min(total.accepted, report.accepted);
       total.iterations += report.iterations;
       total.residual = std::max(total.residual, report.residual);
@@ -111,7 +111,7 @@ StepReport Simulation::advance(double size, bool look) {
 }
 
 void Simulation::watch_balances() {
-  const std::vector<Ledger> now = ledgers();
+  const std::vector<Balance> now = balances();
   largest_.resize(now.size(), 0.0);
   for (std::size_t k = 0; k < now.size(); ++k) {
     largest_[k] = std::max({largest_[k], now[k].scale, now[k].turnover()});
@@ -141,12 +141,12 @@ std::vector<Field> Simulation::fields() {
   return all;
 }
 
-std::vector<Ledger> Simulation::ledgers() const {
-  std::vector<Ledger> all;
+std::vector<Balance> Simulation::balances() const {
+  std::vector<Balance> all;
   for (const auto& physics : physics_) {
-    for (Ledger& ledger : physics->ledgers()) {
-      ledger.largest = all.size() < largest_.size() ? largest_[all.size()] : 0.0;
-      all.push_back(std::move(ledger));
+    for (Balance& balance : physics->balances()) {
+      balance.largest = all.size() < largest_.size() ? largest_[all.size()] : 0.0;
+      all.push_back(std::move(balance));
     }
   }
   return all;

@@ -36,23 +36,23 @@ class Simulation {
   double next_step_size() const;
 
   /// One step, cut so as not to pass `until`. Throws RunError with step and time when it fails;
-  /// after a failure that left fields half evolved every further step throws it again. `look`:
-  /// whether somebody may look at the fields afterwards even short of `until`; without it a physics
-  /// may leave point values for output stale.
-  StepReport step(double until = std::numeric_limits<double>::infinity(), bool look = true);
+  /// after a failure that left fields half evolved every further step throws it again.
+  /// `output_due`: whether somebody may look at the fields afterwards even short of `until`;
+  /// without it a physics may leave point values for output stale.
+  StepReport step(double until = std::numeric_limits<double>::infinity(), bool output_due = true);
 
   /// Step until `time`, exactly; `after_step` may return false to stop early.
   void run_until(double time, const std::function<bool(const Simulation&)>& after_step = {});
 
   /// Every field of every physics, brought up to date, "position" excluded.
   std::vector<Field> fields();
-  std::vector<Ledger> ledgers() const;
+  std::vector<Balance> balances() const;
 
   void save(Archive& archive) const;
   void load(const Archive& archive);
 
  private:
-  StepReport advance(double size, bool look);
+  StepReport advance(double size, bool output_due);
   void require_whole() const;
   /// Remember the largest amount that every balance has seen.
   void watch_balances();
@@ -63,7 +63,7 @@ class Simulation {
   double time_ = 0.0;
   Index index_ = 0;
   std::string failure_;          // why the fields are half evolved; empty: they are whole
-  std::vector<double> largest_;  // by ledger
+  std::vector<double> largest_;  // by balance
 };
 
 }  // namespace lapilli

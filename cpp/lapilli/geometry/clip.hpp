@@ -36,7 +36,7 @@ struct QuadraturePoint {
   double weight;  // m^Dim
 };
 
-/// Corners in order, anticlockwise.
+/// Corners in order, counter-clockwise.
 using Outline = std::vector<Vec<2>>;
 
 /// The corners of an axis-aligned rectangle.
@@ -54,7 +54,7 @@ Moments<2> moments(const Outline& polygon);
 /// each triangle of a fan.
 std::vector<QuadraturePoint<2>> quadrature(const Outline& polygon);
 
-/// A convex body as its faces: corners in order, anticlockwise seen from outside.
+/// A convex body as its faces: corners in order, counter-clockwise seen from outside.
 struct Polyhedron {
   std::vector<std::vector<Vec3>> faces;
 

@@ -20,7 +20,7 @@ Vec3 middle_of(const Face& corners) {
   return sum / static_cast<double>(corners.size());
 }
 
-// The corners of a convex face in order, anticlockwise seen from where the normal points.
+// The corners of a convex face in order, counter-clockwise seen from where the normal points.
 Face ordered(Face corners, const Vec3& normal) {
   const Vec3 middle = middle_of(corners);
   const Vec3 across = normal.unitOrthogonal();

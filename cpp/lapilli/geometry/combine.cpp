@@ -125,7 +125,7 @@ Bounds Rotated::bounds() const {
   const Mat3 turn = matrix();
   const Vec3 fixed = place(center);
   Bounds all{fixed, fixed};
-  // Axis by axis, so that an endless axis makes endless only what it reaches.
+  // Axis by axis, so that an infinite axis makes infinite only what it reaches.
   for (int row = 0; row < 3; ++row) {
     for (int axis_index = 0; axis_index < 3; ++axis_index) {
       const double weight = turn(row, axis_index);

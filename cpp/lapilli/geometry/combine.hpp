@@ -77,18 +77,18 @@ struct Difference {
 };
 
 /// A shape turned about an axis through `center` by the right-hand rule; in two dimensions
-/// anticlockwise. Distances are those of the shape.
+/// counter-clockwise. Distances are those of the shape.
 struct Rotated {
   static constexpr const char* kind = "rotated";
   Nested shape;
-  double degrees = 0.0;                        // anticlockwise
+  double degrees = 0.0;                        // counter-clockwise
   std::vector<double> center;                  // m; empty: the origin
   std::vector<double> axis = {0.0, 0.0, 1.0};  // three dimensions only
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit(Key("shape").required().text("shape that is turned"), self.shape);
-    visit(Key("degrees").unit("degree").required().text("angle, anticlockwise"), self.degrees);
+    visit(Key("degrees").unit("degree").required().text("angle, counter-clockwise"), self.degrees);
     visit(Key("center").unit("m").text("point that stays; empty: the origin"), self.center);
     visit(Key("axis").text("direction that stays, in three dimensions"), self.axis);
   }

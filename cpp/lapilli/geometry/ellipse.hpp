@@ -7,7 +7,7 @@
 
 namespace lapilli {
 
-/// Ellipse in the x-y plane with its axes along x and y (turn it with `rotated`); endless along z.
+/// Ellipse in the x-y plane with its axes along x and y (turn it with `rotated`); infinite along z.
 /// The distance is exact.
 struct Ellipse {
   static constexpr const char* kind = "ellipse";

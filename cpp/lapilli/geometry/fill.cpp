@@ -119,7 +119,7 @@ void check_options(const Lattice& lattice, const FillOptions& options, int dimen
 Shape with_ends(const Shape& shape, const FillOptions& options, int dimension) {
   const Bounds own = bounds(shape);
   Box ends;
-  bool endless = false;
+  bool infinite = false;
   for (int axis = 0; axis < dimension; ++axis) {
     const bool below = std::isinf(own.lower[axis]), above = std::isinf(own.upper[axis]);
     ends.lower.push_back(below ? options.within.lower[axis] : own.lower[axis]);
@@ -127,9 +127,9 @@ Shape with_ends(const Shape& shape, const FillOptions& options, int dimension) {
     require(std::isfinite(ends.lower.back()) && std::isfinite(ends.upper.back()), kind_of(shape),
             ": the body has no end along the ", "xyz"[axis],
             " axis; intersect it with a box before filling it with points");
-    endless |= below || above;
+    infinite |= below || above;
   }
-  return endless ? Shape(Intersection{{shape, ends}}) : shape;
+  return infinite ? Shape(Intersection{{shape, ends}}) : shape;
 }
 
 }  // namespace

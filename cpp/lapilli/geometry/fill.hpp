@@ -34,7 +34,7 @@ struct FillOptions {
   double jitter = 0.0;  // fraction of the spacing, 0 to 0.5: largest displacement along each axis
   bool random = false;  // places drawn uniformly; as many as boxes fit, all of one volume
   std::uint64_t seed = 1;         // of jitter and random
-  double degrees = 0.0;           // the lattice is turned anticlockwise (2D; about z in 3D)
+  double degrees = 0.0;           // the lattice is turned counter-clockwise (2D; about z in 3D)
   std::vector<double> center;     // m, about this point; empty: the origin
   double smallest_volume = 1e-6;  // clip: boxes filled less than this share join a neighbour
   Bounds within;                  // m, ends of axes along which the shape has none: the grid
@@ -56,7 +56,7 @@ int points_per_axis(int points_per_cell, int dimension);
 /// lexicographic order (first axis fastest); the body then ends in a staircase. A site on the
 /// surface, to 1e-9 of the spacing, is inside. With `clip` each lattice box gives the part of it in
 /// the shape, volume and centroid (box_parts.hpp says how exact).
-/// Throws std::invalid_argument for unusable shapes or options, endless shapes and when no site is
+/// Throws std::invalid_argument for unusable shapes or options, infinite shapes and when no site is
 /// inside.
 FilledPoints fill(const Shape& shape, const Lattice& lattice, const FillOptions& options,
                   int dimension);

@@ -9,7 +9,7 @@
 namespace lapilli {
 
 /// The corners of a shape that is a polygon in the x-y plane (box of two axes, polygon, turned or
-/// moved ones), anticlockwise; nothing for other shapes.
+/// moved ones), counter-clockwise; nothing for other shapes.
 std::optional<Outline> outline_of(const Shape& shape);
 
 /// A convex region with flat sides, counted `sign` times; the cuts have normals of length 1.

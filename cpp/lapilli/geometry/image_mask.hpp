@@ -12,7 +12,7 @@ namespace lapilli {
 
 class PixelDistance;
 
-/// The bright (or dark) pixels of an image, in the x-y plane; endless along z. The image stands
+/// The bright (or dark) pixels of an image, in the x-y plane; infinite along z. The image stands
 /// upright: its first row is on top. The distance is that between pixel centres less half a pixel,
 /// interpolated: edges along the axes lie exactly between pixels, elsewhere the surface is right
 /// within a pixel.

@@ -7,7 +7,7 @@
 
 namespace lapilli {
 
-/// Polygon in the x-y plane, convex or not, vertices in either sense of rotation; endless along z.
+/// Polygon in the x-y plane, convex or not, vertices in either sense of rotation; infinite along z.
 /// The distance is exact (time proportional to the vertices). Holes: use a difference.
 struct Polygon {
   static constexpr const char* kind = "polygon";

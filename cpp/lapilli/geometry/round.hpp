@@ -7,7 +7,7 @@
 
 namespace lapilli {
 
-/// Disk in the x-y plane; endless along z. The distance is exact.
+/// Disk in the x-y plane; infinite along z. The distance is exact.
 struct Disk {
   static constexpr const char* kind = "disk";
   std::vector<double> center = {0.0, 0.0};  // m
@@ -25,7 +25,7 @@ struct Disk {
   void check(int dimension) const;
 };
 
-/// Ring between two circles in the x-y plane; endless along z. The distance is exact.
+/// Ring between two circles in the x-y plane; infinite along z. The distance is exact.
 struct Annulus {
   static constexpr const char* kind = "annulus";
   std::vector<double> center = {0.0, 0.0};  // m

@@ -11,11 +11,12 @@ namespace lapilli {
 
 void check(const MohrCoulomb& material) {
   check(material.elastic);
-  require(material.friction >= 0.0 && material.friction <= 89.999,
-          "Mohr-Coulomb: friction must lie in [0, 89.999] degrees, got ", material.friction);
-  require(material.dilation >= 0.0 && material.dilation <= material.friction,
-          "Mohr-Coulomb: dilation must lie between 0 and the friction angle of ", material.friction,
-          " degrees, got ", material.dilation);
+  require(material.friction_angle >= 0.0 && material.friction_angle <= 89.999,
+          "Mohr-Coulomb: friction_angle must lie in [0, 89.999] degrees, got ",
+          material.friction_angle);
+  require(material.dilatancy_angle >= 0.0 && material.dilatancy_angle <= material.friction_angle,
+          "Mohr-Coulomb: dilatancy_angle must lie between 0 and the friction angle of ",
+          material.friction_angle, " degrees, got ", material.dilatancy_angle);
   require(std::isfinite(material.cohesion) && material.cohesion >= 0.0,
           "Mohr-Coulomb: cohesion must not be negative (Pa), got ", material.cohesion);
   require(material.tension_cutoff >= 0.0,
@@ -25,9 +26,9 @@ void check(const MohrCoulomb& material) {
 MohrCoulombReturn::MohrCoulombReturn(const MohrCoulomb& material) {
   check(material);
   const double degree = std::numbers::pi / 180.0;
-  const double sine = std::sin(material.friction * degree);
-  const double cosine = std::cos(material.friction * degree);
-  const double dilatancy = std::sin(material.dilation * degree);
+  const double sine = std::sin(material.friction_angle * degree);
+  const double cosine = std::cos(material.friction_angle * degree);
+  const double dilatancy = std::sin(material.dilatancy_angle * degree);
   const double nu = material.elastic.poissons_ratio;
   above = 1.0 + sine;
   below = cosine * cosine / above;  // 1 - sin phi, without cancellation

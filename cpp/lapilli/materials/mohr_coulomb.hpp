@@ -2,33 +2,33 @@
 
 #include <limits>
 
-#include "lapilli/core/quad.hpp"
+#include "lapilli/core/simd.hpp"
 #include "lapilli/materials/elastic.hpp"
 #include "lapilli/materials/symmetric_tensor.hpp"
 
 namespace lapilli {
 
-/// Elastic, perfectly plastic soil: Mohr-Coulomb with its own dilation angle, closed in tension by
+/// Elastic, perfectly plastic soil: Mohr-Coulomb with its own dilatancy angle, closed in tension by
 /// a Rankine cut-off (at the apex unless a lower one is given). Tension is positive.
 /// Not modelled: hardening, rate dependence, pore pressure.
 struct MohrCoulomb {
   static constexpr const char* kind = "mohr_coulomb";
   LinearElastic elastic;
-  double friction = 0.0;                                            // degrees, in [0, 90)
-  double dilation = 0.0;                                            // degrees, in [0, friction]
+  double friction_angle = 0.0;                                      // degrees, in [0, 90)
+  double dilatancy_angle = 0.0;                                     // degrees, in [0, friction]
   double cohesion = 0.0;                                            // Pa
   double tension_cutoff = std::numeric_limits<double>::infinity();  // Pa, largest principal stress
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     LinearElastic::describe(self.elastic, visit);
-    visit(Key("friction").unit("degree").range(0.0, 89.999).required().text("friction angle"),
-          self.friction);
-    visit(Key("dilation")
+    visit(Key("friction_angle").unit("degree").range(0.0, 89.999).required().text("friction angle"),
+          self.friction_angle);
+    visit(Key("dilatancy_angle")
               .unit("degree")
               .range(0.0, 89.999)
-              .text("dilation angle, at most the friction angle"),
-          self.dilation);
+              .text("dilatancy angle, at most the friction angle"),
+          self.dilatancy_angle);
     visit(Key("cohesion").unit("Pa").non_negative().text("shear strength without pressure"),
           self.cohesion);
     visit(Key("tension_cutoff")
@@ -63,7 +63,7 @@ struct PrincipalStress {
 
 /// Exact return of a sorted elastic trial: plane, two edges, cut-off face, edge, corner, and the
 /// line and corners where the cut-off meets the cone (with no cut-off given all of these fall
-/// together in the apex). Closed form, no iteration, no branch; Real is double or Quad.
+/// together in the apex). Closed form, no iteration, no branch; Real is double or Double4.
 /// Regions by the sign of the multipliers as in Clausen, Damkilde & Andersen (2006), Comput.
 /// Struct. 85:1795.
 template <class Real>

@@ -11,9 +11,10 @@ void check(const Newtonian& material) {
           "newtonian material: density must be positive (kg/m^3), got ", material.density);
   require(std::isfinite(material.viscosity) && material.viscosity >= 0.0,
           "newtonian material: viscosity must not be negative (Pa s), got ", material.viscosity);
-  require(std::isfinite(material.expansion) && std::isfinite(material.reference_temperature),
-          "newtonian material: expansion and reference_temperature must be finite, got ",
-          material.expansion, " and ", material.reference_temperature);
+  require(
+      std::isfinite(material.thermal_expansion) && std::isfinite(material.reference_temperature),
+      "newtonian material: expansion and reference_temperature must be finite, got ",
+      material.thermal_expansion, " and ", material.reference_temperature);
 }
 
 }  // namespace lapilli

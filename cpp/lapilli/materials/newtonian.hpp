@@ -10,7 +10,7 @@ struct Newtonian {
   static constexpr const char* kind = "newtonian";
   double density = 0.0;                // kg/m^3, at the reference temperature and no pressure
   double viscosity = 0.0;              // Pa s
-  double expansion = 0.0;              // 1/K
+  double thermal_expansion = 0.0;      // 1/K
   double reference_temperature = 0.0;  // K
 
   bool operator==(const Newtonian&) const = default;
@@ -21,7 +21,8 @@ struct Newtonian {
           self.density);
     visit(Key("viscosity").unit("Pa s").non_negative().required().text("dynamic viscosity"),
           self.viscosity);
-    visit(Key("expansion").unit("1/K").text("thermal expansion per volume"), self.expansion);
+    visit(Key("thermal_expansion").unit("1/K").text("thermal expansion per volume"),
+          self.thermal_expansion);
     visit(Key("reference_temperature").unit("K").text("at which the fluid has its density"),
           self.reference_temperature);
   }

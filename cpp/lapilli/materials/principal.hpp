@@ -1,11 +1,11 @@
 #pragma once
 
-#include "lapilli/core/quad.hpp"
+#include "lapilli/core/simd.hpp"
 
 namespace lapilli {
 
 // Isotropic functions of symmetric tensors through their principal values, without branches; Real
-// is double or Quad. A function takes sorted values t1 >= t2 >= t3 and returns sorted
+// is double or Double4. A function takes sorted values t1 >= t2 >= t3 and returns sorted
 // values with the members s1, s2, s3.
 
 /// f of a tensor with components xx, yy, xy and the principal value zz.

@@ -7,7 +7,7 @@
 namespace lapilli {
 
 /// Any solid that momentum can move. A new model is one more alternative, its elastic part, its
-/// check, and its return over a block (mpm/momentum/stress_block.cpp).
+/// check, and its return over a block (mpm/dynamics/stress_block.cpp).
 using Solid = std::variant<LinearElastic, MohrCoulomb>;
 
 inline const LinearElastic& elastic_part(const LinearElastic& material) { return material; }

@@ -11,7 +11,7 @@
 
 namespace lapilli {
 
-/// One dataset of a frame, as it is stored: one row a point, eight bytes a number.
+/// One dataset of a frame, as it is stored: one row per point, eight bytes a number.
 struct Column {
   std::string name;       // "Points", "PointData/temperature"
   std::string unit;       // "m"

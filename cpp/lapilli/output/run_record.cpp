@@ -59,22 +59,22 @@ void write_texts(JsonWriter& json, const char* name, const std::vector<std::stri
   json.end_array();
 }
 
-void write_ledger(JsonWriter& json, const Ledger& ledger) {
+void write_balance(JsonWriter& json, const Balance& balance) {
   json.begin_object();
-  json.member("quantity", ledger.quantity);
-  json.member("unit", ledger.unit);
-  json.member("initial", ledger.initial);
-  json.member("stored", ledger.stored);
+  json.member("quantity", balance.quantity);
+  json.member("unit", balance.unit);
+  json.member("initial", balance.initial);
+  json.member("stored", balance.stored);
   json.key("entries").begin_array();
-  for (const Ledger::Entry& entry : ledger.entries) {
+  for (const Balance::Entry& entry : balance.entries) {
     json.begin_object();
     json.member("name", entry.name);
     json.member("in", entry.in);
     json.end_object();
   }
   json.end_array();
-  json.member("taken_in", ledger.taken_in());
-  json.member("residual", ledger.residual());
+  json.member("supplied", balance.supplied());
+  json.member("residual", balance.residual());
   json.end_object();
 }
 
@@ -92,9 +92,9 @@ void write_body(JsonWriter& json, const BodyVolume& body) {
 void write_physics(JsonWriter& json, const Physics& physics) {
   json.begin_object();
   json.member("name", physics.name());
-  json.key("ledgers").begin_array();
-  for (const Ledger& ledger : physics.ledgers()) {
-    write_ledger(json, ledger);
+  json.key("balances").begin_array();
+  for (const Balance& balance : physics.balances()) {
+    write_balance(json, balance);
   }
   json.end_array();
   json.key("diagnostics").begin_object();

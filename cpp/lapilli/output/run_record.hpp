@@ -44,7 +44,7 @@ struct RunRecord {
 };
 
 /// Write the record as JSON, all at once: the settings, version, compiler and threads, times and
-/// speed, peak memory of the process, of each physics its ledgers and diagnostics, and the history
+/// speed, peak memory of the process, of each physics its balances and diagnostics, and the history
 /// of scalars. Throws OutputError when the disk fails.
 void write_run_record(const std::filesystem::path& path, const RunRecord& record,
                       const History& history, const Simulation& simulation);

@@ -106,7 +106,7 @@ RunStatus step_to_end(Simulation& simulation, const RunOptions& options,
 }
 
 void require_closed_balances(const Simulation& simulation) {
-  const std::string wrong = open_balances(simulation.ledgers());
+  const std::string wrong = open_balances(simulation.balances());
   if (!wrong.empty()) {
     throw RunError("at the end: " + wrong);
   }

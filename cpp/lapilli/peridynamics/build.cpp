@@ -51,8 +51,8 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
     check(fluid.thermal);
     require(fluid.thermal.conductivity.is_scalar(),
             "peridynamic heat conducts alike in all directions: give conductivity as a number");
-    require(!scene.heat->dissipation || scene.flow,
-            "heat.dissipation needs a flow; this scene has none");
+    require(!scene.heat->viscous_dissipation || scene.flow,
+            "heat.viscous_dissipation needs a flow; this scene has none");
     horizon = scene.heat->widest_horizon() * scene.spacing;
   }
   if (scene.flow) {
@@ -61,8 +61,8 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
     PeridynamicFlowSettings::describe(*scene.flow, ranges);
     check(fluid.newtonian);
     check_length(scene.flow->gravity, points.dimension(), "flow.gravity");
-    require(scene.heat || fluid.newtonian.expansion == 0.0,
-            "expansion of the newtonian material is given, but the scene has no heat");
+    require(scene.heat || fluid.newtonian.thermal_expansion == 0.0,
+            "thermal_expansion of the newtonian material is given, but the scene has no heat");
     require(!scene.heat || fluid.thermal.density == fluid.newtonian.density,
             "the fluid has two densities: ", fluid.thermal.density, " of the thermal and ",
             fluid.newtonian.density, " kg/m^3 of the newtonian material");
@@ -89,8 +89,8 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
     physics.push_back(std::move(made));
   }
   if (scene.flow) {
-    auto made =
-        make_flow(points, walls, *scene.flow, fluid, heat, scene.heat && scene.heat->dissipation);
+    auto made = make_flow(points, walls, *scene.flow, fluid, heat,
+                          scene.heat && scene.heat->viscous_dissipation);
     if (heat != nullptr) {
       heat->heat_by(made->dissipation());
     }

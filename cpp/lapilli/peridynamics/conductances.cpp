@@ -151,30 +151,30 @@ void Conductances<Dim>::balance_point(Index i, double damping, bool normalise) {
   const std::int32_t* neighbours = families_.neighbours();
   const lanes::BondWeightLanes weight(weight_);
   const double* own = rows_.data() + i * row_size;
-  const Quad c_own = all(own[7]);
-  const Quad scale = all(0.5 * conductivity_ * own[3]);
-  const Quad bound = all(0.8), zero = all(0.0), one = all(1.0);
-  Quad outward[Dim], moment = zero;
+  const Double4 c_own = all(own[7]);
+  const Double4 scale = all(0.5 * conductivity_ * own[3]);
+  const Double4 bound = all(0.8), zero = all(0.0), one = all(1.0);
+  Double4 outward[Dim], moment = zero;
   std::fill_n(outward, Dim, zero);
   for (Index k = families_.begin(i); k < families_.padded_end(i); k += lanes::width) {
     const double* r0 = rows_.data() + neighbours[k] * row_size;
     const double* r1 = rows_.data() + neighbours[k + 1] * row_size;
     const double* r2 = rows_.data() + neighbours[k + 2] * row_size;
     const double* r3 = rows_.data() + neighbours[k + 3] * row_size;
-    Quad x[4] = {load_quad(r0), load_quad(r1), load_quad(r2), load_quad(r3)};
-    Quad l[4] = {load_quad(r0 + 4), load_quad(r1 + 4), load_quad(r2 + 4), load_quad(r3 + 4)};
+    Double4 x[4] = {load_quad(r0), load_quad(r1), load_quad(r2), load_quad(r3)};
+    Double4 l[4] = {load_quad(r0 + 4), load_quad(r1 + 4), load_quad(r2 + 4), load_quad(r3 + 4)};
     lanes::transpose(x[0], x[1], x[2], x[3]);
     lanes::transpose(l[0], l[1], l[2], l[3]);
-    Quad squared = zero, tilt = zero;
+    Double4 squared = zero, tilt = zero;
     for (int d = 0; d < Dim; ++d) {
       x[d] -= all(own[d]);
       squared = multiply_add(x[d], x[d], squared);
       tilt = multiply_add(all(own[4 + d]) - l[d], x[d], tilt);
     }
     tilt = lanes::choose(tilt > bound, bound, lanes::choose(tilt < -bound, -bound, tilt));
-    const Quad w = weight(squared, square_root(squared)) * x[3] * (one + tilt);
+    const Double4 w = weight(squared, square_root(squared)) * x[3] * (one + tilt);
     moment = multiply_add(w, squared, moment);
-    const Quad s = w * (c_own + l[3]);
+    const Double4 s = w * (c_own + l[3]);
     store_quad(conductance_.data() + k, s * scale);
     for (int d = 0; d < Dim; ++d) {
       outward[d] = multiply_add(s, x[d], outward[d]);

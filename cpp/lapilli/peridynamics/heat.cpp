@@ -30,7 +30,7 @@ PeridynamicHeat::PeridynamicHeat(Points& points, std::shared_ptr<WallSurface> wa
       met_area_(points, 1),
       surface_(walls_->walls().size()),
       from_walls_(walls_->walls().size(), 0.0),
-      taken_in_(walls_->walls().size() + 2, 0.0) {
+      supplied_(walls_->walls().size() + 2, 0.0) {
   for (Index i = 0; i < points.size(); ++i) {
     if (walls_->wall(i) < 0) {
       capacity_[i] = fluid_.thermal.capacity() * points.volume()[i];
@@ -161,10 +161,10 @@ void PeridynamicHeat::update_points(const Step& step) {
     }
   });
   for (std::size_t k = 0; k < from_walls_.size(); ++k) {
-    taken_in_[k] += step.size * from_walls_[k];
+    supplied_[k] += step.size * from_walls_[k];
   }
-  taken_in_[from_walls_.size()] += step.size * source_power_;
-  taken_in_[from_walls_.size() + 1] += step.size * dissipated_power_;
+  supplied_[from_walls_.size()] += step.size * source_power_;
+  supplied_[from_walls_.size() + 1] += step.size * dissipated_power_;
   if (step.index % 64 == 0) {
     for (Index i = 0; i < points_.size(); ++i) {
       if (!std::isfinite(temperature_[i])) {
@@ -203,25 +203,25 @@ std::vector<Field> PeridynamicHeat::fields() {
           {"wall_area", "m^(dim-1)", 1, met_area_.values()}};
 }
 
-std::vector<Ledger> PeridynamicHeat::ledgers() const {
+std::vector<Balance> PeridynamicHeat::balances() const {
   const double now = stored();
   const double before = started_ ? initial_ : now;
-  Ledger ledger{"heat", "J", before, now, {}, span(), 1e-6};
+  Balance balance{"heat", "J", before, now, {}, span(), 1e-6};
   for (std::size_t k = 0; k < from_walls_.size(); ++k) {
-    ledger.entries.push_back({message("wall ", walls_->walls()[k].settings.name), taken_in_[k]});
+    balance.entries.push_back({message("wall ", walls_->walls()[k].settings.name), supplied_[k]});
   }
-  ledger.entries.push_back({"source", taken_in_[from_walls_.size()]});
+  balance.entries.push_back({"source", supplied_[from_walls_.size()]});
   if (dissipation_ != nullptr) {
-    ledger.entries.push_back({"dissipation", taken_in_[from_walls_.size() + 1]});
+    balance.entries.push_back({"dissipation", supplied_[from_walls_.size() + 1]});
   }
-  return {ledger};
+  return {balance};
 }
 
 void PeridynamicHeat::save(Archive& archive) const {
   archive.write("heat/temperature", temperature_.values());
   archive.write("heat/capacity", capacity_.values());
   archive.write("heat/from_walls", from_walls_);
-  archive.write("heat/taken_in", taken_in_);
+  archive.write("heat/supplied", supplied_);
   archive.write("heat/initial", initial_);
   archive.write("heat/stiffest", stiffest_);
   archive.write("heat/started", static_cast<Index>(started_ ? 1 : 0));
@@ -233,7 +233,7 @@ void PeridynamicHeat::load(const Archive& archive) {
   archive.read("heat/temperature", temperature_.values());
   archive.read("heat/capacity", capacity_.values());
   archive.read("heat/from_walls", from_walls_);
-  archive.read("heat/taken_in", taken_in_);
+  archive.read("heat/supplied", supplied_);
   initial_ = archive.read_number("heat/initial");
   stiffest_ = archive.read_number("heat/stiffest");
   started_ = archive.read_index("heat/started") == 1;

@@ -31,7 +31,7 @@ class PeridynamicHeat final : public Physics, public Warnings {
   StepReport advance(const Step& step) override;
   void refresh_output() override;
   std::vector<Field> fields() override;
-  std::vector<Ledger> ledgers() const override;
+  std::vector<Balance> balances() const override;
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
@@ -73,7 +73,7 @@ class PeridynamicHeat final : public Physics, public Warnings {
   double source_power_ = 0.0, dissipated_power_ = 0.0;
   double initial_ = 0.0;
   bool started_ = false, prescribed_ = false, points_move_ = false;
-  std::vector<double> taken_in_;  // J: walls, source, dissipation
+  std::vector<double> supplied_;  // J: walls, source, dissipation
 };
 
 }  // namespace lapilli

@@ -29,10 +29,10 @@ struct PeridynamicHeatSettings {
   double horizon = 0.0;  // in spacings; 0: see widest_horizon and ConductionAtRest
   Influence influence = Influence::gaussian;
   Laplacian laplacian = Laplacian::corrected;
-  double zero_energy = 0.5;   // coefficient of the zero-energy term
-  bool dissipation = false;   // viscous heating
-  double skin = 0.3;          // in spacings; families are searched again after half of it
-  double step_factor = 0.25;  // of spacing^2 / (dimension diffusivity)
+  double zero_energy = 0.5;          // coefficient of the zero-energy term
+  bool viscous_dissipation = false;  // viscous heating
+  double skin = 0.3;                 // in spacings; families are searched again after half of it
+  double step_factor = 0.25;         // of spacing^2 / (dimension diffusivity)
 
   /// In spacings: the horizon that is given, otherwise the longest that is chosen.
   double widest_horizon() const { return horizon > 0.0 ? horizon : 1.515; }
@@ -47,7 +47,8 @@ struct PeridynamicHeatSettings {
     visit(Key("laplacian").text("how conduction is formed from bonds"), self.laplacian);
     visit(Key("zero_energy").non_negative().text("coefficient of the zero-energy term"),
           self.zero_energy);
-    visit(Key("dissipation").text("whether viscous work becomes heat"), self.dissipation);
+    visit(Key("viscous_dissipation").text("whether viscous work becomes heat"),
+          self.viscous_dissipation);
     visit(Key("skin")
               .range(0.0, 2.0, true)
               .text("reach of the neighbour list beyond the horizon, in "

@@ -48,17 +48,17 @@ class BondWeightLanes {
         share_slope_(all(weight.volume_correction ? -1.0 / weight.spacing : 0.0)),
         half_inverse_(all(2.0 / weight.horizon)) {}
 
-  [[gnu::always_inline]] Quad operator()(const Quad& squared, const Quad& length) const {
-    const Quad one = all(1.0);
-    Quad share = multiply_add(length, share_slope_, share_offset_);
+  [[gnu::always_inline]] Double4 operator()(const Double4& squared, const Double4& length) const {
+    const Double4 one = all(1.0);
+    Double4 share = multiply_add(length, share_slope_, share_offset_);
     share = choose(share > one, one, share);
-    Quad value = one;
+    Double4 value = one;
     if (influence_ == Influence::gaussian) [[likely]] {
       value = exp_negative(squared * rate_);
     } else if (influence_ == Influence::spline) {
-      const Quad q = length * half_inverse_;
-      const Quad far = all(2.0) - q;
-      const Quad near = multiply_add(q * q, multiply_add(q, all(0.75), all(-1.5)), one);
+      const Double4 q = length * half_inverse_;
+      const Double4 far = all(2.0) - q;
+      const Double4 near = multiply_add(q * q, multiply_add(q, all(0.75), all(-1.5)), one);
       value = choose(q < one, near, all(0.25) * far * far * far);
     }
     return choose(squared < horizon_squared_, value * share, all(0.0));
@@ -66,7 +66,7 @@ class BondWeightLanes {
 
  private:
   Influence influence_;
-  Quad horizon_squared_, rate_, share_offset_, share_slope_, half_inverse_;
+  Double4 horizon_squared_, rate_, share_offset_, share_slope_, half_inverse_;
 };
 
 }  // namespace lanes

@@ -126,9 +126,9 @@ Vec<Dim> PeridynamicFlow<Dim>::body_force(Index point) const {
   const double warmer =
       heat_ != nullptr ? heat_->temperature()[point] - fluid_.reference_temperature : 0.0;
   if (settings_.buoyancy == Buoyancy::reduced) {
-    return -fluid_.expansion * warmer * gravity_;
+    return -fluid_.thermal_expansion * warmer * gravity_;
   }
-  return (1.0 - fluid_.expansion * warmer) * gravity_;
+  return (1.0 - fluid_.thermal_expansion * warmer) * gravity_;
 }
 
 template void PeridynamicFlow<1>::update_density(Index, double);

@@ -106,7 +106,7 @@ double choose_sound_speed(const Points& points, const WallSurface& walls,
     if (range == 0.0 && heat != nullptr) {
       range = temperature_range(points, *heat, length);
     }
-    drive *= std::abs(fluid.newtonian.expansion) * range;
+    drive *= std::abs(fluid.newtonian.thermal_expansion) * range;
   }
   const double speed =
       std::max({settings.sound_speed_factor * std::sqrt(drive * length), 10.0 * moving,

@@ -42,11 +42,11 @@ Vec<Dim> StressForce<Dim>::operator()(Index point, const Families& families,
   const Vec<Dim>& bonds = bonds_[static_cast<std::size_t>(point)];
   Vec<Dim> force = force_[static_cast<std::size_t>(point)];
   if constexpr (Dim == 3) {
-    const Quad x = load_quad(own + 12);
-    Quad sum = all(0.0);
+    const Double4 x = load_quad(own + 12);
+    Double4 sum = all(0.0);
     for (Index k = 0; k < end; ++k) {
       const double* other = rows_.data() + neighbours[k] * row_size;
-      const Quad bond = (load_quad(other + 12) - x) * all(bond_weight[k]);
+      const Double4 bond = (load_quad(other + 12) - x) * all(bond_weight[k]);
       for (int d = 0; d < 3; ++d) {
         sum = multiply_add(load_quad(other + 4 * d), all(bond[d]), sum);
       }
@@ -56,8 +56,8 @@ Vec<Dim> StressForce<Dim>::operator()(Index point, const Families& families,
       force += bonds[d] * Eigen::Map<const Vec<3>>(own + 4 * d);
     }
   } else {
-    const Quad x = load_quad(own + 4);
-    Quad even = all(0.0), odd = even;
+    const Double4 x = load_quad(own + 4);
+    Double4 even = all(0.0), odd = even;
     for (Index k = 0; k < padded_end; k += 2) {
       const double* first = rows_.data() + neighbours[k] * row_size;
       const double* second = rows_.data() + neighbours[k + 1] * row_size;

@@ -20,7 +20,7 @@ bool without_heat(const Scene& scene) {
   return !scene.heat && !(scene.peridynamics && scene.peridynamics->heat);
 }
 bool points_move(const Scene& scene) {
-  return scene.momentum || std::any_of(scene.bodies.begin(), scene.bodies.end(),
+  return scene.dynamics || std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                        [](const Body& body) { return body.motion.has_value(); });
 }
 template <class... Kind>
@@ -33,7 +33,7 @@ bool has_boundary(const Scene& scene) {
 bool without_normals(const Scene& scene) {
   return scene.heat->method == FluxMethod::node || scene.heat->method == FluxMethod::paper;
 }
-bool without_supports(const Scene& scene) { return scene.quasi_static->walls.empty(); }
+bool without_supports(const Scene& scene) { return scene.quasi_static->supports.empty(); }
 const PeridynamicFlowSettings& flow_of(const Scene& scene) { return *scene.peridynamics->flow; }
 
 constexpr Rule rules[] = {
@@ -71,15 +71,19 @@ constexpr Rule rules[] = {
      "the points are given"},
     {"heat.method",
      [](const Scene& scene, std::size_t) {
-       return !has_boundary<PrescribedFlux, Convection, Radiation>(scene);
+       return !has_boundary<Flux, Convection, Radiation>(scene);
      },
      "no boundary condition prescribes a flux"},
     {"heat.theta",
-     [](const Scene& scene, std::size_t) { return scene.heat->stepping != HeatStepping::theta; },
-     "heat.stepping is not theta"},
+     [](const Scene& scene, std::size_t) {
+       return scene.heat->time_integration != TimeIntegration::implicit_theta;
+     },
+     "heat.time_integration is not implicit"},
     {"heat.solver",
-     [](const Scene& scene, std::size_t) { return scene.heat->stepping != HeatStepping::theta; },
-     "heat.stepping is not theta"},
+     [](const Scene& scene, std::size_t) {
+       return scene.heat->time_integration != TimeIntegration::implicit_theta;
+     },
+     "heat.time_integration is not implicit"},
     {"heat.blend",
      [](const Scene& scene, std::size_t) {
        const HeatTransfer transfer = scene.heat->transfer;
@@ -95,33 +99,34 @@ constexpr Rule rules[] = {
      "heat.method smooths no normals"},
     {"heat.corner_fit", [](const Scene& scene, std::size_t) { return without_normals(scene); },
      "heat.method fits no corners"},
-    {"heat.implicit_exchange",
+    {"heat.implicit_robin",
      [](const Scene& scene, std::size_t) { return !has_boundary<Convection, Radiation>(scene); },
      "there is neither convection nor radiation"},
-    {"momentum.pic_share",
+    {"dynamics.pic_fraction",
      [](const Scene& scene, std::size_t) {
-       return scene.momentum->transfer != VelocityTransfer::flip;
+       return scene.dynamics->transfer != VelocityTransfer::flip;
      },
-     "momentum.transfer is not flip"},
-    {"momentum.step_safety",
+     "dynamics.transfer is not flip"},
+    {"dynamics.courant",
      [](const Scene& scene, std::size_t) { return scene.time.step || scene.time.steps; },
      "time gives the step"},
-    {"quasi_static.wall_form",
+    {"quasi_static.enforcement",
      [](const Scene& scene, std::size_t) { return without_supports(scene); }, "there are no walls"},
     {"quasi_static.bandwidth",
      [](const Scene& scene, std::size_t) {
-       return without_supports(scene) || scene.quasi_static->wall_form == WallForm::nitsche;
+       return without_supports(scene) || scene.quasi_static->enforcement == Enforcement::nitsche;
      },
      "no wall has a stiff constraint"},
     {"quasi_static.gap_bandwidth",
      [](const Scene& scene, std::size_t) {
-       return without_supports(scene) || (scene.quasi_static->wall_form != WallForm::mean_gap &&
-                                          scene.quasi_static->wall_form != WallForm::nitsche);
+       return without_supports(scene) ||
+              (scene.quasi_static->enforcement != Enforcement::mean_gap &&
+               scene.quasi_static->enforcement != Enforcement::nitsche);
      },
      "no wall has a moderate constraint"},
     {"quasi_static.hold_empty_cells",
      [](const Scene& scene, std::size_t) { return without_supports(scene); }, "there are no walls"},
-    {"quasi_static.largest_penetration",
+    {"quasi_static.max_penetration",
      [](const Scene& scene, std::size_t) { return without_supports(scene); }, "there are no walls"},
     {"peridynamics.heat.dissipation",
      [](const Scene& scene, std::size_t) { return !scene.peridynamics->flow; },
@@ -192,10 +197,10 @@ struct IdleMaterial {
     return scene.peridynamics && scene.peridynamics->flow ? "" : "there is no [peridynamics.flow]";
   }
   std::string operator()(const LinearElastic&) const {
-    return scene.momentum || scene.quasi_static ? "" : "nothing deforms in this scene";
+    return scene.dynamics || scene.quasi_static ? "" : "nothing deforms in this scene";
   }
   std::string operator()(const MohrCoulomb&) const {
-    return scene.momentum ? "" : "the scene has no [momentum]";
+    return scene.dynamics ? "" : "the scene has no [dynamics]";
   }
   template <class Coupling>
   std::string operator()(const Coupling&) const {

@@ -7,14 +7,14 @@
 
 #include "lapilli/core/describe.hpp"
 #include "lapilli/core/value.hpp"
+#include "lapilli/geometry/prescribed_motion.hpp"
 #include "lapilli/geometry/shape.hpp"
 #include "lapilli/materials/coupling.hpp"
 #include "lapilli/materials/elastic.hpp"
 #include "lapilli/materials/mohr_coulomb.hpp"
 #include "lapilli/materials/newtonian.hpp"
 #include "lapilli/materials/thermal.hpp"
-#include "lapilli/mpm/momentum/geostatic.hpp"
-#include "lapilli/mpm/prescribed_motion.hpp"
+#include "lapilli/mpm/dynamics/geostatic.hpp"
 
 namespace lapilli {
 
@@ -82,7 +82,7 @@ struct Body {
           self.jitter);
     visit(Key("random").text("points anywhere in the shape instead of on a lattice"), self.random);
     visit(Key("seed").non_negative().text("seed of jitter and random"), self.seed);
-    visit(Key("rotation").unit("degree").text("turn of the filled points, anticlockwise"),
+    visit(Key("rotation").unit("degree").text("turn of the filled points, counter-clockwise"),
           self.rotation);
     visit(Key("rotation_center").unit("m").length(0, 3).text("point that stays; empty: the origin"),
           self.rotation_center);

@@ -242,9 +242,9 @@ bool is_filled_exactly(const Scene& scene, const Body& body) {
   // The boxes of GIMP points keep their full width: around the centroids of pieces they no longer
   // tile the body, and fluxes and pressures on its surface stop converging (by .7 % of its area).
   const bool boxes_tile = scene.quasi_static || scene.grid.shape_function != ShapeFunction::gimp;
-  const bool moves = scene.momentum || body.motion;
+  const bool moves = scene.dynamics || body.motion;
   const bool has_conditions = moves && ((scene.heat && !scene.heat->boundaries.empty()) ||
-                                        (scene.momentum && !scene.momentum->boundaries.empty()));
+                                        (scene.dynamics && !scene.dynamics->boundaries.empty()));
   return scene.peridynamics ? conducts_at_rest(scene) : boxes_tile || !has_conditions;
 }
 

@@ -6,12 +6,12 @@
 #include "lapilli/core/memory.hpp"
 #include "lapilli/geometry/checks.hpp"
 #include "lapilli/geometry/combine.hpp"
+#include "lapilli/mpm/dynamics/dynamics.hpp"
+#include "lapilli/mpm/dynamics/plastic_heat.hpp"
+#include "lapilli/mpm/dynamics/thermal_strain.hpp"
 #include "lapilli/mpm/heat/heat_in_body_frame.hpp"
-#include "lapilli/mpm/heat/heat_on_points.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
-#include "lapilli/mpm/momentum/momentum.hpp"
-#include "lapilli/mpm/momentum/plastic_heat.hpp"
-#include "lapilli/mpm/momentum/thermal_strain.hpp"
+#include "lapilli/mpm/heat/particle_heat.hpp"
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/build_peridynamics.hpp"
@@ -72,7 +72,7 @@ bool has_motion(const Scene& scene) {
                      [](const Body& body) { return body.motion.has_value(); });
 }
 
-bool has_moving_points(const Scene& scene) { return has_motion(scene) || scene.momentum; }
+bool has_moving_points(const Scene& scene) { return has_motion(scene) || scene.dynamics; }
 
 // The box of a point is half its spacing wide on each side, whatever its volume.
 double half_width_of(const Scene& scene, const FilledPoints& filled) {
@@ -82,7 +82,7 @@ double half_width_of(const Scene& scene, const FilledPoints& filled) {
 // The one prescribed motion that all bodies share; none where they do not, or nothing moves.
 std::optional<Motion> common_motion(const Scene& scene) {
   const std::optional<Motion>& first = scene.bodies.front().motion;
-  const bool shared = first && !scene.momentum && is_rigid(*first) &&
+  const bool shared = first && !scene.dynamics && is_rigid(*first) &&
                       std::all_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
                         return body.motion && is_same(*body.motion, *first);
                       });
@@ -94,8 +94,8 @@ std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
                                  const std::vector<FilledPoints>& filled, Points& points) {
   HeatProblem<Dim> problem{grid,        scene.grid.shape_function, {},
                            *scene.heat, distance_of(scene),        has_moving_points(scene)};
-  if (scene.momentum) {
-    for (const GridWall& wall : scene.momentum->walls) {
+  if (scene.dynamics) {
+    for (const GridBoundary& wall : scene.dynamics->grid_boundaries) {
       std::visit(
           [&](const auto& known) { problem.walls[static_cast<std::size_t>(known.face)] = true; },
           wall);
@@ -139,18 +139,18 @@ Solid solid_of(const Body& body) {
 }
 
 template <int Dim>
-std::unique_ptr<Momentum<Dim>> momentum_of(const Scene& scene, const Grid<Dim>& grid,
+std::unique_ptr<Dynamics<Dim>> dynamics_of(const Scene& scene, const Grid<Dim>& grid,
                                            const std::vector<FilledPoints>& filled,
                                            Points& points) {
-  MomentumProblem<Dim> problem{
-      grid, scene.grid.shape_function, {}, *scene.momentum, distance_of(scene)};
+  DynamicsProblem<Dim> problem{
+      grid, scene.grid.shape_function, {}, *scene.dynamics, distance_of(scene)};
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    MomentumBody body{solid_of(scene.bodies[k]), half_width_of(scene, filled[k]), {}, {}};
+    DynamicsBody body{solid_of(scene.bodies[k]), half_width_of(scene, filled[k]), {}, {}};
     if (!scene.bodies[k].velocity.empty()) {
       body.velocity = [start = place(scene.bodies[k].velocity)](const Vec3&) { return start; };
     }
     if (scene.bodies[k].geostatic) {
-      const Vec3 gravity = place(scene.momentum->gravity);
+      const Vec3 gravity = place(scene.dynamics->gravity);
       const double density = elastic_part(body.material).density;
       body.stress = [rest = *scene.bodies[k].geostatic, gravity, density](const Vec3& at) {
         return stress_at(rest, at, gravity, density);
@@ -158,7 +158,7 @@ std::unique_ptr<Momentum<Dim>> momentum_of(const Scene& scene, const Grid<Dim>& 
     }
     problem.bodies.push_back(std::move(body));
   }
-  return at_place(scene, "momentum", [&] { return make_momentum<Dim>(points, problem); });
+  return at_place(scene, "dynamics", [&] { return make_dynamics<Dim>(points, problem); });
 }
 
 // The coefficient of a coupling in every body, zero where it is absent; empty where no body has it.
@@ -181,18 +181,18 @@ std::vector<double> coupling_of(const Scene& scene, double Coupling::*member) {
 // Couplings stand between heat and momentum: what heat did this step expands, and what momentum
 // dissipated in the step before heats.
 template <int Dim>
-void couple(const Scene& scene, Points& points, HeatOnPoints<Dim>& heat, Momentum<Dim>& momentum,
+void couple(const Scene& scene, Points& points, ParticleHeat<Dim>& heat, Dynamics<Dim>& dynamics,
             PhysicsList& physics) {
   const auto shares = coupling_of(scene, &PlasticHeating::share);
   if (!shares.empty()) {
     physics.push_back(std::make_unique<PlasticHeat>(
-        points, momentum.plastic_work(), heat.carried_temperature(), heat.capacity(), shares,
+        points, dynamics.plastic_work(), heat.carried_temperature(), heat.capacity(), shares,
         [&heat](double joule) { heat.book_plastic(joule); }));
   }
   const auto coefficients = coupling_of(scene, &ThermalExpansion::coefficient);
   if (!coefficients.empty()) {
     physics.push_back(std::make_unique<ThermalStrain>(points, heat.carried_temperature(),
-                                                      momentum.free_strain(), coefficients));
+                                                      dynamics.free_strain(), coefficients));
   }
 }
 
@@ -233,13 +233,13 @@ std::unique_ptr<Simulation> build_in(const Scene& scene) {
     physics.push_back(heat_of<Dim>(scene, grid, filled, *points));
   }
   if constexpr (Dim > 1) {
-    if (scene.momentum) {
-      auto momentum = momentum_of<Dim>(scene, grid, filled, *points);
+    if (scene.dynamics) {
+      auto dynamics = dynamics_of<Dim>(scene, grid, filled, *points);
       if (scene.heat) {
-        couple<Dim>(scene, *points, dynamic_cast<HeatOnPoints<Dim>&>(*physics.front()), *momentum,
+        couple<Dim>(scene, *points, dynamic_cast<ParticleHeat<Dim>&>(*physics.front()), *dynamics,
                     physics);
       }
-      physics.push_back(std::move(momentum));
+      physics.push_back(std::move(dynamics));
     }
   }
   if (scene.quasi_static) {

@@ -69,7 +69,7 @@ void describe_peridynamics(const Scene& scene, CheckReport& report) {
   if (settings.heat && settings.flow) {
     const bool full = settings.flow->buoyancy == Buoyancy::full;
     report.modelled.push_back(full ? "buoyancy by all of the weight" : "buoyancy");
-    (settings.heat->dissipation ? report.modelled : report.not_modelled)
+    (settings.heat->viscous_dissipation ? report.modelled : report.not_modelled)
         .push_back("viscous heating");
   }
   if (settings.walls.empty()) {
@@ -114,8 +114,8 @@ void describe_quasi_static(const Scene& scene, CheckReport& report) {
   }
   report.modelled.push_back("equilibrium under load steps");
   const QuasiStaticSettings& settings = *scene.quasi_static;
-  if (!settings.walls.empty()) {
-    report.modelled.push_back(message("implicit walls (", name_of(settings.wall_form), ")"));
+  if (!settings.supports.empty()) {
+    report.modelled.push_back(message("implicit walls (", name_of(settings.enforcement), ")"));
   }
   if (!settings.tractions.empty()) {
     report.modelled.push_back("tractions");
@@ -139,37 +139,37 @@ void describe_quasi_static(const Scene& scene, CheckReport& report) {
 
 // Where the default transfer is weaker than elsewhere.
 void describe_transfer(const Scene& scene, CheckReport& report) {
-  if (scene.momentum->transfer != VelocityTransfer::blended_apic) {
+  if (scene.dynamics->transfer != VelocityTransfer::blended_apic) {
     return;
   }
   if (scene.grid.shape_function == ShapeFunction::linear) {
     report.notes.push_back(
-        "momentum.transfer blended_apic has no affine part with linear functions: spin fades");
+        "dynamics.transfer blended_apic has no affine part with linear functions: spin fades");
   }
   const double enough = 0.75 * scene.grid.cell;
   for (const CheckReport::BodyReport& body : report.bodies) {
     if (body.spacing > enough) {
       report.notes.push_back(message("body ", body.name, " has fewer than ", 1 << report.dimension,
-                                     " points a cell: with momentum.transfer blended_apic it may "
+                                     " points per cell: with dynamics.transfer blended_apic it may "
                                      "fall apart after some 10,000 steps"));
     }
   }
 }
 
-void describe_momentum(const Scene& scene, CheckReport& report) {
-  if (!scene.momentum) {
-    report.not_modelled.push_back("explicit momentum");
+void describe_dynamics(const Scene& scene, CheckReport& report) {
+  if (!scene.dynamics) {
+    report.not_modelled.push_back("explicit dynamics");
     return;
   }
-  report.modelled.push_back(report.dimension == 2 ? "explicit momentum in plane strain"
-                                                  : "explicit momentum");
-  const MomentumSettings& settings = *scene.momentum;
+  report.modelled.push_back(report.dimension == 2 ? "explicit dynamics in plane strain"
+                                                  : "explicit dynamics");
+  const DynamicsSettings& settings = *scene.dynamics;
   if (settings.gravity.empty()) {
     report.not_modelled.push_back("gravity");
   } else {
     report.modelled.push_back("gravity");
   }
-  for (const GridWall& wall : settings.walls) {
+  for (const GridBoundary& wall : settings.grid_boundaries) {
     std::visit(
         [&](const auto& known) {
           report.modelled.push_back(message(known.kind, " wall ", name_of(known.face)));
@@ -189,11 +189,11 @@ void describe_momentum(const Scene& scene, CheckReport& report) {
       }
     }
   }
-  for (const MomentumBoundary& law : settings.boundaries) {
+  for (const DynamicsBoundary& law : settings.boundaries) {
     report.modelled.push_back(std::visit([](const auto& known) { return known.kind; }, law));
   }
-  if (settings.walls.empty()) {
-    report.notes.push_back("[momentum] has no walls: a point that leaves the grid stops the run");
+  if (settings.grid_boundaries.empty()) {
+    report.notes.push_back("[dynamics] has no walls: a point that leaves the grid stops the run");
   }
   for (const std::string& warning : warnings(settings)) {
     report.notes.push_back(warning);
@@ -213,13 +213,13 @@ void describe_physics(const Scene& scene, CheckReport& report) {
   }
   describe_heat(scene, report);
   describe_quasi_static(scene, report);
-  describe_momentum(scene, report);
+  describe_dynamics(scene, report);
   bool moving = false;
   for (const Body& body : scene.bodies) {
     moving |= body.motion.has_value();
   }
   (moving ? report.modelled : report.not_modelled).push_back("prescribed rigid motion");
-  if (!scene.quasi_static && !scene.momentum) {
+  if (!scene.quasi_static && !scene.dynamics) {
     report.not_modelled.push_back("deformation");
   }
 }

@@ -39,7 +39,7 @@ std::string text_of(const CheckReport& report) {
                     ", spacing ", body.spacing, " m\n");
   }
   text += message("models        ", listed(report.modelled), "\n");
-  text += message("leaves out    ", listed(report.not_modelled), "\n");
+  text += message("not modelled  ", listed(report.not_modelled), "\n");
   text += message("step          ", report.step, " s (", report.step_reason, "), limit ",
                   report.hard_limit, " s, ", report.steps, " steps\n");
   text += message("memory        about ", readable_bytes(report.memory),

@@ -65,9 +65,9 @@ class KeyTables {
     } else if constexpr (std::is_same_v<T, double>) {
       return "number";
     } else if constexpr (std::is_integral_v<T>) {
-      return "whole number";
+      return "integer";
     } else if constexpr (std::is_same_v<T, std::string> || Named<T>) {
-      return "text";
+      return "string";
     } else if constexpr (std::is_same_v<T, Value>) {
       return "number or `{times, values}`";
     } else if constexpr (std::is_same_v<T, SymmetricTensor>) {
@@ -82,7 +82,7 @@ class KeyTables {
     } else if constexpr (Indirect<T>) {
       return type_of(Held<T>{}, key);
     } else if constexpr (Kinded<T>) {
-      return "table with `kind`";
+      return "tagged table (`kind`)";
     } else if constexpr (Described<T>) {
       return "table";
     } else {

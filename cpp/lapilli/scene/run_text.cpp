@@ -57,10 +57,10 @@ std::string summary_text(const Simulation& simulation, const RunSummary& summary
               formatted(" at %g s", summary.time), " after ", simulation.step_index(), " steps in ",
               readable_time(summary.statistics.wall_seconds));
   text += output.empty() ? "\n" : message("; ", summary.frames, " frames in ", output, "\n");
-  for (const Ledger& ledger : simulation.ledgers()) {
-    text += message(ledger.quantity, ": ", formatted("%.6g ", ledger.taken_in()), ledger.unit,
-                    formatted(" came in, %.6g stored at the end, balance off by %.1e\n",
-                              ledger.stored, ledger.residual()));
+  for (const Balance& balance : simulation.balances()) {
+    text += message(balance.quantity, ": ", formatted("%.6g ", balance.supplied()), balance.unit,
+                    formatted(" supplied, %.6g stored at the end, residual %.1e\n", balance.stored,
+                              balance.residual()));
   }
   for (const auto& physics : simulation.physics()) {
     if (const auto* warner = dynamic_cast<const Warnings*>(physics.get())) {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "lapilli/core/describe.hpp"
+#include "lapilli/mpm/dynamics/dynamics_settings.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
-#include "lapilli/mpm/momentum/momentum_settings.hpp"
 #include "lapilli/mpm/quasi_static/settings.hpp"
-#include "lapilli/mpm/shape_function.hpp"
+#include "lapilli/mpm/transfer/shape_function.hpp"
 #include "lapilli/scene/body.hpp"
 #include "lapilli/scene/peridynamics.hpp"
 
@@ -117,7 +117,7 @@ struct Scene {
   GridSettings grid;
   std::vector<Body> bodies;
   std::optional<HeatSettings> heat;
-  std::optional<MomentumSettings> momentum;
+  std::optional<DynamicsSettings> dynamics;
   std::optional<QuasiStaticSettings> quasi_static;
   std::optional<PeridynamicsSettings> peridynamics;
   TimeSettings time;
@@ -131,7 +131,7 @@ struct Scene {
     visit(Key("grid").required().text("background grid"), self.grid);
     visit(Key("bodies").required().length(1, 1000000).text("bodies"), self.bodies);
     visit(Key("heat").text("heat conduction; absent: not modelled"), self.heat);
-    visit(Key("momentum").text("explicit momentum; absent: not modelled"), self.momentum);
+    visit(Key("dynamics").text("explicit dynamics; absent: not modelled"), self.dynamics);
     visit(Key("quasi_static").text("equilibrium under load steps; absent: not modelled"),
           self.quasi_static);
     visit(

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "lapilli/core/allowed.hpp"
+#include "lapilli/core/renamed.hpp"
 #include "lapilli/geometry/number_rows.hpp"
-#include "lapilli/scene/renamed.hpp"
 
 namespace lapilli {
 namespace {
@@ -48,6 +48,9 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 std::string suggestion(const std::string& word, const std::vector<std::string>& allowed) {
+  if (const std::string now = new_name(word, allowed); !now.empty()) {
+    return "; it is called '" + now + "' now";
+  }
   // Distances to words of any length would cost their product.
   const std::string near = word.size() <= 64 ? nearest_name(word, allowed) : std::string();
   return (near.empty() ? "; allowed: " : "; did you mean '" + near + "'? allowed: ") +
@@ -86,7 +89,7 @@ void TreeReader::read_integer(const Tree& tree, const Key& key, const std::strin
                               Index& number) const {
   const auto* integer = std::get_if<Index>(&tree.value);
   if (!integer) {
-    fail(tree, path, message("must be a whole number, got ", in_words(tree)));
+    fail(tree, path, message("must be an integer, got ", in_words(tree)));
   }
   check_in_range(tree, key, path, static_cast<double>(*integer));
   number = *integer;
@@ -225,7 +228,7 @@ std::vector<std::string> TreeReader::check_known(const Tree::Table& table, const
       continue;
     }
     const std::string entry_path = joined_path(path, entry.name);
-    const std::string now = renamed(entry_path);
+    const std::string now = new_name(entry.name, allowed);
     mistakes_.gather([&] {
       fail(entry.place, entry_path,
            now.empty() ? "is no known key" + suggestion(entry.name, allowed)

@@ -156,18 +156,18 @@ void check_motion(const Scene& scene, const Motion& motion, const std::string& p
   }
 }
 
-void check_momentum_body(const Scene& scene, const Body& body, int solid, const std::string& path) {
-  if (!scene.momentum) {
+void check_dynamics_body(const Scene& scene, const Body& body, int solid, const std::string& path) {
+  if (!scene.dynamics) {
     require_at(body.velocity.empty() || scene.peridynamics, scene, path + ".velocity",
-               "has no effect without [momentum] or [peridynamics]; a prescribed motion is "
+               "has no effect without [dynamics] or [peridynamics]; a prescribed motion is "
                "`motion`");
-    require_at(!body.geostatic, scene, path + ".geostatic", "has no effect without [momentum]");
+    require_at(!body.geostatic, scene, path + ".geostatic", "has no effect without [dynamics]");
     return;
   }
   require_at(solid == 1, scene, path + ".material",
-             "has no elastic or mohr_coulomb material, which [momentum] needs");
+             "has no elastic or mohr_coulomb material, which [dynamics] needs");
   require_at(!body.motion, scene, path + ".motion",
-             "contradicts [momentum], which moves every body");
+             "contradicts [dynamics], which moves every body");
   if (body.geostatic) {
     check_dimension(scene, body.geostatic->surface, path + ".geostatic.surface");
     check_dimension(scene, body.geostatic->normal, path + ".geostatic.normal");
@@ -199,8 +199,8 @@ void check_body_material(const Scene& scene, const Body& body, const std::string
   for (const Material& material : body.material) {
     at_place(scene, path + ".material",
              [&] { std::visit([](const auto& known) { check_material(known); }, material); });
-    require_at(!is_coupling(material) || (scene.heat && scene.momentum), scene, path + ".material",
-               "couples heat and momentum, the scene needs both [heat] and [momentum]");
+    require_at(!is_coupling(material) || (scene.heat && scene.dynamics), scene, path + ".material",
+               "couples heat and motion, the scene needs both [heat] and [dynamics]");
     thermal += std::holds_alternative<Thermal>(material);
     elastic += std::holds_alternative<LinearElastic>(material);
     newtonian += std::holds_alternative<Newtonian>(material);
@@ -222,7 +222,7 @@ void check_body_material(const Scene& scene, const Body& body, const std::string
   require_at(!scene.peridynamics || body.fill != Filling::exact || conducts_at_rest(scene), scene,
              path + ".fill",
              "must be \"lattice\" in peridynamic flow, whose operators need points of one volume");
-  check_momentum_body(scene, body, solid, path);
+  check_dynamics_body(scene, body, solid, path);
 }
 
 void check_quasi_static(const Scene& scene) {
@@ -235,8 +235,8 @@ void check_quasi_static(const Scene& scene) {
              "must be linear or gimp where [quasi_static] is modelled, got bspline");
   require_at(scene.time.step || scene.time.steps, scene, "quasi_static",
              "has no stable step to choose from: give time.steps, the number of load steps");
-  require_at(!scene.momentum, scene, "quasi_static",
-             "contradicts [momentum]: both move the points");
+  require_at(!scene.dynamics, scene, "quasi_static",
+             "contradicts [dynamics]: both move the points");
 }
 
 void check_time(const Scene& scene) {
@@ -295,11 +295,11 @@ void validate(const Scene& as_written) {
   mistakes.gather([&] { validate_peridynamics(scene); });
   mistakes.gather([&] { validate_heat(scene); });
   mistakes.gather([&] { check_probes(scene); });
-  if (scene.momentum) {
+  if (scene.dynamics) {
     mistakes.gather([&] {
-      require_at(dimension_of(scene) > 1, scene, "momentum",
+      require_at(dimension_of(scene) > 1, scene, "dynamics",
                  "needs two (plane strain) or three dimensions, the grid has one");
-      at_place(scene, "momentum", [&] { check(*scene.momentum, dimension_of(scene)); });
+      at_place(scene, "dynamics", [&] { check(*scene.dynamics, dimension_of(scene)); });
     });
   }
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {

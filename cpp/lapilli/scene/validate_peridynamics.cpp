@@ -41,11 +41,11 @@ void check_gravity(const Scene& scene) {
   const bool pulls = std::any_of(flow.gravity.begin(), flow.gravity.end(),
                                  [](double component) { return component != 0.0; });
   const bool buoyant =
-      scene.peridynamics->heat && material_in<Newtonian>(scene.bodies[0])->expansion != 0.0;
+      scene.peridynamics->heat && material_in<Newtonian>(scene.bodies[0])->thermal_expansion != 0.0;
   require_at(!pulls || buoyant || flow.buoyancy == Buoyancy::full, scene,
              "peridynamics.flow.gravity",
              "does nothing: with buoyancy = \"reduced\" it acts by temperature and needs ",
-             "[peridynamics.heat] and an expansion of the newtonian material");
+             "[peridynamics.heat] and a thermal_expansion of the newtonian material");
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ void validate_peridynamics(const Scene& scene) {
              "is of the material point method; give [peridynamics.heat] instead");
   require_at(!scene.quasi_static, scene, "quasi_static",
              "is of the material point method, which shares no scene with [peridynamics]");
-  require_at(!scene.momentum, scene, "momentum",
+  require_at(!scene.dynamics, scene, "dynamics",
              "is of the material point method, which shares no scene with [peridynamics]");
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     require_at(!scene.bodies[k].motion, scene, element_path("bodies", k) + ".motion",

@@ -14,8 +14,8 @@ from lapilli.extremes.soil import soil_scenes
 CELL = 1.0  # m; conductivity and capacity are 1, so that h^2/alpha is 1 s
 HALF = 6.0  # half the side of the square, m
 FLUID = "peridynamics"  # stands for a transfer in scenes that have none
-SOIL = "momentum"  # the same
-TRANSFERS = ("kept", "flip", "pic", "tpic", "affine", FLUID, SOIL)
+SOIL = "dynamics"  # the same
+TRANSFERS = ("nodal", "flip", "pic", "tpic", "affine", FLUID, SOIL)
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ def all_cases(transfers: tuple[str, ...] = TRANSFERS) -> Iterator[Case]:
         for conductivity, capacity in ((1e6, 1.0), (1e-6, 1.0), (1.0, 1e6), (1.0, 1e-6)):
             name = f"halves, conductivity {conductivity:g}, capacity {capacity:g}"
             yield Case(name, transfer, halves(transfer, conductivity, capacity), False)
-        if transfer != "kept":
+        if transfer != "nodal":
             yield Case("swirl, Biot 1", transfer, swirl(transfer), False)
 
 

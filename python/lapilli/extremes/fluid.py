@@ -69,7 +69,9 @@ def cavity(
     material: list[Any] = [lp.Thermal(density=1.0, specific_heat=1.0, conductivity=1.0)]
     if moving:
         material.append(
-            lp.Newtonian(density=1.0, viscosity=prandtl, expansion=1.0, reference_temperature=0.5)
+            lp.Newtonian(
+                density=1.0, viscosity=prandtl, thermal_expansion=1.0, reference_temperature=0.5
+            )
         )
     body = lp.Body(
         shape=lp.Box(lower=(0.0, 0.0), upper=(1.0, 1.0)),

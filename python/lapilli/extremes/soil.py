@@ -24,7 +24,7 @@ def soil_scenes() -> Iterator[tuple[str, lp.Scene]]:
     for friction in (0.0, 60.0):
         yield f"friction {friction:g}", heap(friction=friction)
     for points in (1, 36):
-        yield f"{points} points a cell", heap(points=points)
+        yield f"{points} points per cell", heap(points=points)
     yield "10 m/s", heap(speed=10.0)
 
 
@@ -39,7 +39,7 @@ def heap(
 ) -> lp.Scene:
     """A block that is thrown to one side on a rough floor, in surroundings at 1."""
     soil = lp.MohrCoulomb(
-        density=1.0, youngs_modulus=youngs_modulus, poissons_ratio=0.3, friction=friction
+        density=1.0, youngs_modulus=youngs_modulus, poissons_ratio=0.3, friction_angle=friction
     )
     block = lp.Body(
         shape=lp.Box(lower=(2.0, 0.0), upper=(2.0 + SIDE, SIDE)),
@@ -48,20 +48,20 @@ def heap(
         temperature=0.0,
         material=[soil, lp.Thermal(density=1.0, specific_heat=1.0, conductivity=1.0)],
     )
-    walls: list[lp.NoSlipWall | lp.RollerWall | lp.FrictionalWall] = [
-        lp.FrictionalWall(face="y_lower", coefficient=0.3),
-        *(lp.RollerWall(face=face) for face in ("x_lower", "x_upper", "y_upper")),
+    walls: list[lp.NoSlipBoundary | lp.RollerBoundary | lp.FrictionalBoundary] = [
+        lp.FrictionalBoundary(face="y_lower", coefficient=0.3),
+        *(lp.RollerBoundary(face=face) for face in ("x_lower", "x_upper", "y_upper")),
     ]
     scene = lp.Scene(
         grid=lp.Grid(lower=(0.0, 0.0), upper=(24.0, 12.0), cell=1.0),
         bodies=[block],
         heat=lp.Heat(boundaries=[lp.Convection(coefficient=1.0, ambient=1.0)]),
-        momentum=lp.Momentum(gravity=(0.0, -0.002 * youngs_modulus), walls=walls),
+        dynamics=lp.Dynamics(gravity=(0.0, -0.002 * youngs_modulus), grid_boundaries=walls),
         time=lp.Time(end=1.0),
     )
     scene = scene.set(f"grid.shape_function={shape}")
     if shape == "linear":
         scene = scene.set("heat.transfer=flip")
     for name, value in (settings or {}).items():
-        scene = scene.set(f"momentum.{name}={value}")
+        scene = scene.set(f"dynamics.{name}={value}")
     return scene

@@ -80,7 +80,7 @@ def square(
     walls[-1].displacement = ramp(STRAIN * SIDE * frame.e1)
     body = lp.Body(shape=frame.box(SIDE, SIDE), material=[MATERIAL], points_per_cell=4)
     corners = frame.line((0, 0), (SIDE, 0), (SIDE, SIDE), (0, SIDE))
-    settings = lp.QuasiStatic(walls=walls)
+    settings = lp.QuasiStatic(supports=walls)
     if bandwidth is not None:
         settings.bandwidth = bandwidth
     scene = lp.Scene(
@@ -89,7 +89,7 @@ def square(
         quasi_static=settings,
         time=lp.Time(end=1.0, steps=1),
     )
-    scene = scene.set(f"quasi_static.wall_form={form}")
+    scene = scene.set(f"quasi_static.enforcement={form}")
     default = 1e-6 if form == "literal" else 1e-3
     return SupportCase(name, form, scene, degrees, corner, bandwidth or default)
 

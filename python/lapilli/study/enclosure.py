@@ -172,7 +172,7 @@ def coefficients(scene: Scene) -> tuple[float, float, float]:
     return (
         diffusivity,
         fluids[0].viscosity / fluids[0].density,
-        fluids[0].expansion * -gravity[-1] if gravity else 0.0,
+        fluids[0].thermal_expansion * -gravity[-1] if gravity else 0.0,
     )
 
 

@@ -187,7 +187,7 @@ def boundary_at(scene: Scene, point: Array) -> Any:
                 coefficient=number(law.coefficient, "coefficient"),
                 ambient=number(law.ambient, "ambient"),
             )
-        if isinstance(law, lp.Temperature):
+        if isinstance(law, lp.PrescribedTemperature):
             return thermal.Prescribed(temperature=number(law.value, "temperature"))
         raise ValueError("shipped references know no radiation")
     return thermal.INSULATED

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
+#include <new>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "lapilli/core/parallel.hpp"
@@ -100,5 +104,74 @@ TEST_CASE("a forked process goes on with one thread where its parent had more") 
   REQUIRE(WIFEXITED(status));
   REQUIRE(WEXITSTATUS(status) == 0);
   REQUIRE(thread_count() == 2);
+  set_thread_count(0);
+}
+
+namespace {
+
+std::string message_of_row(Index row) { return "row " + std::to_string(row); }
+
+std::string failure_of(const std::function<void()>& loop) {
+  try {
+    loop();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+void fail_at(Index row, std::initializer_list<Index> rows) {
+  if (std::find(rows.begin(), rows.end(), row) != rows.end()) {
+    throw std::runtime_error(message_of_row(row));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the exception of the earliest task leaves a loop, for any number of threads") {
+  const auto piece = piece_rows;
+  const std::vector<TaskRange> needs = [] {
+    std::vector<TaskRange> ranges;
+    for (Index task = 0; task < 50; ++task) {
+      ranges.push_back({std::max<Index>(0, task - 3), std::min<Index>(49, task + 3)});
+    }
+    return ranges;
+  }();
+  const auto nothing = [](Index) {};
+  for (int threads : {1, 2, 3, 5}) {
+    set_thread_count(threads);
+    CAPTURE(threads);
+    for (int repeat = 0; repeat < 20; ++repeat) {
+      CHECK(failure_of([] {
+              parallel_tasks(90, [](Index t) { fail_at(t, {7, 8, 61}); });
+            }) == "row 7");
+      CHECK(failure_of([] {
+              parallel_runs(90, [](Index t) { fail_at(t, {31, 61, 89}); });
+            }) == "row 31");
+      CHECK(failure_of([&] {
+              parallel_for(6 * piece, [&](Index r) { fail_at(r, {3 * piece + 5, 5 * piece}); });
+            }) == message_of_row(3 * piece + 5));
+      CHECK(failure_of([&] {
+              parallel_sum(6 * piece, 0, [&](Index r) {
+                fail_at(r, {4 * piece, 4 * piece + 1});
+                return 1;
+              });
+            }) == message_of_row(4 * piece));
+      CHECK(failure_of([&] {
+              parallel_wave(
+                  needs,
+                  [](Index t) {
+                    fail_at(t, {40, 45});
+                  },
+                  [](Index t) {
+                    fail_at(t, {0, 12});
+                  });
+            }) == "row 40");
+      CHECK(failure_of([&] {
+              parallel_wave(needs, nothing, [](Index t) { fail_at(t, {22, 24, 26, 48}); });
+            }) == "row 22");
+    }
+    CHECK_THROWS_AS(parallel_tasks(4, [](Index) { throw std::bad_alloc(); }), std::bad_alloc);
+  }
   set_thread_count(0);
 }

@@ -92,7 +92,7 @@ TEST_CASE("jittered points stay near their sites and inside; the seed decides") 
   REQUIRE(fill(disk, lattice, options, 2).position != points.position);
 }
 
-TEST_CASE("endless shapes end at the grid") {
+TEST_CASE("infinite shapes end at the grid") {
   FillOptions options;
   options.within = {Vec3(0, 0, 0), Vec3(1, 1, 0)};
   const auto points = fill(HalfSpace{{0, 0.5}, {0, 1}}, {Vec3::Zero(), 0.25, 1}, options, 2);

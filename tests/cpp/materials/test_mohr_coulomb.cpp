@@ -23,7 +23,8 @@ Vec3 principal(const SymmetricTensor& stress) {
 /// How far a stress lies outside of the cone or above the cut-off, Pa.
 double excess(const MohrCoulomb& m, const SymmetricTensor& stress) {
   const Vec3 s = principal(stress);
-  const double sine = std::sin(m.friction * degree), cosine = std::cos(m.friction * degree);
+  const double sine = std::sin(m.friction_angle * degree),
+               cosine = std::cos(m.friction_angle * degree);
   return std::max((1 + sine) * s[0] - (1 - sine) * s[2] - 2 * m.cohesion * cosine,
                   s[0] - m.tension_cutoff);
 }
@@ -65,8 +66,10 @@ struct Draw {
   MohrCoulomb material() {
     MohrCoulomb m;
     m.elastic = {2000.0, power(3, 11), chance(0.2) ? 0.4999 : uniform(-0.9, 0.4999)};
-    m.friction = chance(0.1) ? 0.0 : chance(0.1) ? 89.0 : uniform(0, 89);
-    m.dilation = chance(0.3) ? 0.0 : chance(0.3) ? m.friction : uniform(0, m.friction);
+    m.friction_angle = chance(0.1) ? 0.0 : chance(0.1) ? 89.0 : uniform(0, 89);
+    m.dilatancy_angle = chance(0.3)   ? 0.0
+                        : chance(0.3) ? m.friction_angle
+                                      : uniform(0, m.friction_angle);
     m.cohesion = chance(0.3) ? 0.0 : power(-6, 9);
     if (chance(0.4)) {
       m.tension_cutoff = chance(0.2) ? 0.0 : m.cohesion * power(-3, 3);
@@ -144,7 +147,7 @@ TEST_CASE("with dilation equal to friction the return is the closest point in th
   Draw draw;
   for (int k = 0; k < 3000; ++k) {
     MohrCoulomb m = draw.material();
-    m.dilation = m.friction;
+    m.dilatancy_angle = m.friction_angle;
     m.cohesion = draw.uniform(0, 1);
     m.tension_cutoff = draw.chance(0.5) ? draw.uniform(0, 2) : m.tension_cutoff;
     m.elastic.youngs_modulus = 1.0;
@@ -162,7 +165,7 @@ TEST_CASE("with dilation equal to friction the return is the closest point in th
         y[c] = s[c] + draw.uniform(-1, 1);
       }
       if (excess(m, y) <= 0.0) {
-        CAPTURE(m.friction, m.elastic.poissons_ratio, m.cohesion, m.tension_cutoff);
+        CAPTURE(m.friction_angle, m.elastic.poissons_ratio, m.cohesion, m.tension_cutoff);
         REQUIRE(contract(strain, minus(y, s)) <= 1e-10 * std::max(1.0, norm(strain)));
       }
     }
@@ -174,13 +177,14 @@ TEST_CASE("plastic strain is a non-negative sum of the flow of the surfaces the 
   int plastic = 0;
   for (int k = 0; k < 5000; ++k) {
     MohrCoulomb m = draw.material();
-    m.friction = draw.uniform(1, 60);
-    m.dilation = draw.uniform(0, m.friction);
+    m.friction_angle = draw.uniform(1, 60);
+    m.dilatancy_angle = draw.uniform(0, m.friction_angle);
     m.cohesion = draw.uniform(0, 1);
     m.tension_cutoff = draw.chance(0.5) ? draw.uniform(0, 1) : m.tension_cutoff;
     m.elastic = {1.0, 1.0, draw.uniform(-0.4, 0.45)};
-    const double sine = std::sin(m.friction * degree), flow = std::sin(m.dilation * degree);
-    const double apex = m.cohesion / std::tan(m.friction * degree);
+    const double sine = std::sin(m.friction_angle * degree),
+                 flow = std::sin(m.dilatancy_angle * degree);
+    const double apex = m.cohesion / std::tan(m.friction_angle * degree);
     const double cutoff = std::min(m.tension_cutoff, apex);
     SymmetricTensor trial(draw.uniform(-4, 4), draw.uniform(-4, 4), draw.uniform(-4, 4), 0, 0, 0);
     const SymmetricTensor s = return_stress(MohrCoulombReturn(m), trial);
@@ -199,7 +203,7 @@ TEST_CASE("plastic strain is a non-negative sum of the flow of the surfaces the 
       }
       for (int j = 0; j < 3; ++j) {
         if (i != j && (1 + sine) * s[i] - (1 - sine) * s[j] >
-                          2 * m.cohesion * std::cos(m.friction * degree) - 1e-9) {
+                          2 * m.cohesion * std::cos(m.friction_angle * degree) - 1e-9) {
           active.push_back((1 + flow) * unit(i) - (1 - flow) * unit(j));
         }
       }
@@ -217,8 +221,8 @@ TEST_CASE("plastic strain is a non-negative sum of the flow of the surfaces the 
         }
       }
     }
-    CAPTURE(m.friction, m.dilation, m.cohesion, cutoff, trial[0], trial[1], trial[2], s[0], s[1],
-            s[2]);
+    CAPTURE(m.friction_angle, m.dilatancy_angle, m.cohesion, cutoff, trial[0], trial[1], trial[2],
+            s[0], s[1], s[2]);
     REQUIRE(best <= 1e-9);
   }
   REQUIRE(plastic > 2000);
@@ -228,7 +232,7 @@ TEST_CASE("triaxial compression and extension end at the analytic strengths") {
   for (double friction : {0.0, 20.0, 30.0, 60.0}) {
     MohrCoulomb m;
     m.elastic = {2000.0, 1e7, 0.3};
-    m.friction = friction;
+    m.friction_angle = friction;
     m.cohesion = 1e3;
     const MohrCoulombReturn constants(m);
     const double passive = std::pow(std::tan((45.0 + 0.5 * friction) * degree), 2);
@@ -273,7 +277,7 @@ TEST_CASE("plane strain compression without dilation ends at the analytic mean s
   // the third stress stays elastic, szz = nu (s1 + s3), while it lies between them.
   MohrCoulomb m;
   m.elastic = {2000.0, 1e7, 0.3};
-  m.friction = 30.0;
+  m.friction_angle = 30.0;
   m.cohesion = 200.0;
   const MohrCoulombReturn constants(m);
   const double start = -1e4;
@@ -326,16 +330,16 @@ TEST_CASE("plane strain and the full form agree, alone and in blocks") {
 TEST_CASE("Mohr-Coulomb constants out of range are refused with their range") {
   MohrCoulomb sound;
   sound.elastic = {2000.0, 1e7, 0.3};
-  sound.friction = 30.0;
+  sound.friction_angle = 30.0;
   REQUIRE_NOTHROW(check(sound));
   const auto refused = [&](auto change, const char* says) {
     MohrCoulomb m = sound;
     change(m);
     REQUIRE_THROWS_WITH(check(m), Catch::Contains(says));
   };
-  refused([](MohrCoulomb& m) { m.dilation = 31.0; }, "friction angle of 30");
-  refused([](MohrCoulomb& m) { m.dilation = -1.0; }, "dilation");
-  refused([](MohrCoulomb& m) { m.friction = 90.0; }, "[0, 89.999]");
+  refused([](MohrCoulomb& m) { m.dilatancy_angle = 31.0; }, "friction angle of 30");
+  refused([](MohrCoulomb& m) { m.dilatancy_angle = -1.0; }, "dilatancy_angle");
+  refused([](MohrCoulomb& m) { m.friction_angle = 90.0; }, "[0, 89.999]");
   refused([](MohrCoulomb& m) { m.cohesion = -1.0; }, "cohesion");
   refused([](MohrCoulomb& m) { m.cohesion = NAN; }, "cohesion");
   refused([](MohrCoulomb& m) { m.tension_cutoff = -1.0; }, "tension_cutoff");

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "lapilli/mpm/prescribed_motion.hpp"
-#include "lapilli/mpm/rigid_motion.hpp"
+#include "lapilli/geometry/prescribed_motion.hpp"
+#include "lapilli/geometry/rigid_motion.hpp"
 #include "mpm/square_scenes.hpp"
 
 namespace lapilli {
@@ -51,13 +51,14 @@ TEST_CASE("A body that moves as a whole has the temperatures of one at rest") {
       Convection law = scenes::convection(2.0, 0.0);
       law.ambient = Table{{0.0, 2.0}, {1.0, 3.0}};
       trial.settings.boundaries = {law};
-      trial.settings.stepping = implicit ? HeatStepping::theta : HeatStepping::explicit_euler;
+      trial.settings.time_integration =
+          implicit ? TimeIntegration::implicit_theta : TimeIntegration::explicit_euler;
       Simulation moved = start(trial, motion, implicit ? 0.5 : 0.05);
       Simulation rested = start(trial, std::nullopt, implicit ? 0.5 : 0.05);
       moved.run_until(2.0);
       rested.run_until(2.0);
       CHECK(by_id(moved, "temperature") == by_id(rested, "temperature"));
-      CHECK(moved.ledgers().front().taken_in() == rested.ledgers().front().taken_in());
+      CHECK(moved.balances().front().supplied() == rested.balances().front().supplied());
       const Placement now = placement_at(motion, 2.0, 2);
       const auto flux = by_id(moved, "heat_flux"), before = by_id(rested, "heat_flux");
       double worst = 0.0;
@@ -117,7 +118,7 @@ TEST_CASE("Regions that stay where they are ask for moving points, those that tu
   trial.settings.boundaries = {law, scenes::convection(1.0, 0.0)};
   Simulation across = start(trial, turning(), 0.05);
   CHECK(has_field(across, "temperature_carried"));
-  trial.settings.transfer = HeatTransfer::kept;
+  trial.settings.transfer = HeatTransfer::nodal;
   CHECK_THROWS_WITH(start(trial, turning(), 0.05), Catch::Contains("one rigid motion"));
 }
 

@@ -2,8 +2,8 @@
 #include <set>
 
 #include "lapilli/core/require.hpp"
-#include "lapilli/mpm/cell_order.hpp"
-#include "lapilli/mpm/weights.hpp"
+#include "lapilli/mpm/transfer/cell_order.hpp"
+#include "lapilli/mpm/transfer/weights.hpp"
 #include "mpm/point_sets.hpp"
 
 namespace lapilli {

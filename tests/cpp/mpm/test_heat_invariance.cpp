@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "lapilli/core/archive.hpp"
-#include "lapilli/mpm/prescribed_motion.hpp"
+#include "lapilli/geometry/prescribed_motion.hpp"
 #include "mpm/square_scenes.hpp"
 
 namespace lapilli {
@@ -9,7 +9,7 @@ namespace {
 
 using scenes::Trial;
 
-const std::vector<HeatTransfer> transfers{HeatTransfer::kept, HeatTransfer::affine,
+const std::vector<HeatTransfer> transfers{HeatTransfer::nodal, HeatTransfer::affine,
                                           HeatTransfer::flip, HeatTransfer::pic,
                                           HeatTransfer::tpic};
 
@@ -19,7 +19,7 @@ Trial<2> scene(HeatTransfer transfer, bool moving) {
   trial.half = 16.0;
   trial.moving = moving;
   trial.settings.transfer = transfer;
-  PrescribedFlux flux;
+  Flux flux;
   flux.value = 1.0;
   flux.region = Box{{-100.0, -100.0}, {0.0, 100.0}};
   trial.settings.boundaries = {flux, scenes::convection(2.0, 3.0)};
@@ -56,11 +56,11 @@ std::vector<double> everything(Simulation& simulation) {
     const auto sorted = scenes::by_id(simulation, field.name);
     all.insert(all.end(), sorted.begin(), sorted.end());
   }
-  const Ledger ledger = simulation.ledgers().front();
-  for (const auto& entry : ledger.entries) {
+  const Balance balance = simulation.balances().front();
+  for (const auto& entry : balance.entries) {
     all.push_back(entry.in);
   }
-  all.push_back(ledger.stored);
+  all.push_back(balance.stored);
   return all;
 }
 
@@ -73,7 +73,7 @@ void run(Simulation& simulation, int steps) {
 TEST_CASE("Any number of threads gives the same bytes") {
   for (const HeatTransfer transfer : transfers) {
     for (const bool moving : {false, true}) {
-      if (moving && transfer == HeatTransfer::kept) {
+      if (moving && transfer == HeatTransfer::nodal) {
         continue;
       }
       std::vector<double> one;
@@ -94,7 +94,7 @@ TEST_CASE("Any number of threads gives the same bytes") {
 TEST_CASE("A resumed run gives the same bytes") {
   for (const HeatTransfer transfer : transfers) {
     for (const bool moving : {false, true}) {
-      if (moving && transfer == HeatTransfer::kept) {
+      if (moving && transfer == HeatTransfer::nodal) {
         continue;
       }
       for (const bool looked : {false, true}) {
@@ -182,7 +182,7 @@ TEST_CASE("A shift of grid and body changes nothing, to the byte where places ar
 TEST_CASE("Turned by 90 degrees, the same to rounding") {
   for (const HeatTransfer transfer : transfers) {
     for (const bool moving : {false, true}) {
-      if (moving && transfer == HeatTransfer::kept) {
+      if (moving && transfer == HeatTransfer::nodal) {
         continue;
       }
       std::vector<double> upright;

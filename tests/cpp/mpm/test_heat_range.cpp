@@ -48,7 +48,8 @@ Trial<2> convective(const std::string& layout, HeatTransfer transfer, double bio
 // exchange as nodes do: what is left is rounding, 1e-9 of the span at Biot numbers to 1e6.
 TEST_CASE("Convection keeps temperatures between start and surroundings") {
   const std::string layout = GENERATE(as<std::string>{}, "lattice", "rotated", "jittered");
-  const HeatTransfer transfer = GENERATE(HeatTransfer::pic, HeatTransfer::flip, HeatTransfer::kept);
+  const HeatTransfer transfer =
+      GENERATE(HeatTransfer::pic, HeatTransfer::flip, HeatTransfer::nodal);
   for (const double biot : {1e-6, 1e-3, 1.0, 3.0, 10.0, 1e3, 1e6}) {
     for (const bool round : {false, true}) {
       Simulation simulation = convective(layout, transfer, biot, round).start(1e9);
@@ -58,7 +59,7 @@ TEST_CASE("Convection keeps temperatures between start and surroundings") {
                   << " below 1");
       CHECK(all.beyond(0.0, 1.0) <= 1e-9);
       CHECK(all.high > 0.0);  // heat does come in
-      CHECK(std::abs(simulation.ledgers().front().residual()) <= 1e-12);
+      CHECK(std::abs(simulation.balances().front().residual()) <= 1e-12);
     }
   }
 }
@@ -78,7 +79,7 @@ TEST_CASE("Drawn convective cases stay between start and surroundings") {
     trial.centre = Vec<2>(uniform(), uniform());
     const double biot = std::pow(10.0, uniform.between(-6.0, 6.0));
     const double ambient = uniform() < 0.5 ? 1.0 : -1.0;
-    const HeatTransfer transfers[] = {HeatTransfer::pic, HeatTransfer::flip, HeatTransfer::kept};
+    const HeatTransfer transfers[] = {HeatTransfer::pic, HeatTransfer::flip, HeatTransfer::nodal};
     trial.settings.transfer = transfers[draw % 3];
     trial.settings.boundaries = {scenes::convection(biot, ambient)};
     Simulation simulation = trial.start(1e9);
@@ -92,7 +93,7 @@ TEST_CASE("Drawn convective cases stay between start and surroundings") {
     // what a colder node behind it conducts: 5e-5 at the worst of these draws.
     const bool strays = trial.settings.transfer == HeatTransfer::flip && biot > 1.0;
     CHECK(all.beyond(std::min(ambient, 0.0), std::max(ambient, 0.0)) <= (strays ? 1e-4 : 1e-9));
-    CHECK(std::abs(simulation.ledgers().front().residual()) <= 1e-12);
+    CHECK(std::abs(simulation.balances().front().residual()) <= 1e-12);
   }
 }
 
@@ -138,7 +139,7 @@ HeatProblem<2> two_halves(double conductivity, double capacity, HeatTransfer tra
 TEST_CASE("Contrasts of conductivity and capacity stay bounded at the automatic step") {
   const std::string layout =
       GENERATE(as<std::string>{}, "lattice", "rotated", "jittered", "random");
-  const HeatTransfer transfer = GENERATE(HeatTransfer::pic, HeatTransfer::flip, HeatTransfer::kept,
+  const HeatTransfer transfer = GENERATE(HeatTransfer::pic, HeatTransfer::flip, HeatTransfer::nodal,
                                          HeatTransfer::affine, HeatTransfer::tpic);
   for (const double conductivity : {1.0, 1e6, 1e-6}) {
     for (const double capacity : {1.0, 1e6, 1e-6}) {
@@ -152,7 +153,7 @@ TEST_CASE("Contrasts of conductivity and capacity stay bounded at the automatic 
                   << last.low << " to " << last.high << ", step " << simulation.next_step_size());
       // On turned points a node can have its capacity from one body and conduct as the other: where
       // that has 1e6 times the capacity, the node follows its neighbours' gradient out of range, by
-      // 7 at the worst (`kept`), until the gradient is gone. Elsewhere 0.25 is never reached.
+      // 7 at the worst (`nodal`), until the gradient is gone. Elsewhere 0.25 is never reached.
       const bool foreign = layout == "rotated" && conductivity < 1.0 && capacity < 1.0;
       CHECK(all.beyond(0.0, 1.0) <= (foreign ? 10.0 : 0.25));
       CHECK(last.beyond(0.0, 1.0) <= (foreign ? 0.5 : 0.25));
@@ -163,7 +164,7 @@ TEST_CASE("Contrasts of conductivity and capacity stay bounded at the automatic 
 
 TEST_CASE("Points beside a node or a face, and one of next to no volume, are bounded") {
   const HeatTransfer transfer =
-      GENERATE(HeatTransfer::pic, HeatTransfer::flip, HeatTransfer::kept, HeatTransfer::affine);
+      GENERATE(HeatTransfer::pic, HeatTransfer::flip, HeatTransfer::nodal, HeatTransfer::affine);
   const ShapeFunction shape = GENERATE(ShapeFunction::linear, ShapeFunction::gimp);
   if (transfer == HeatTransfer::affine && shape == ShapeFunction::linear) {
     return;  // refused
@@ -186,7 +187,7 @@ TEST_CASE("Points beside a node or a face, and one of next to no volume, are bou
                            << " to " << all.high << ", step " << simulation.next_step_size());
     CHECK(all.beyond(0.0, 1.0) <=
           (transfer == HeatTransfer::affine || transfer == HeatTransfer::flip ? 0.05 : 1e-9));
-    CHECK(simulation.next_step_size() > (transfer == HeatTransfer::kept ? 0.0 : 0.2));
+    CHECK(simulation.next_step_size() > (transfer == HeatTransfer::nodal ? 0.0 : 0.2));
   }
 }
 

@@ -54,8 +54,8 @@ void automatic_step_suits(const Trial<Dim>& trial, double least_share) {
   const auto points = trial.points();
   const auto heat = make_heat<Dim>(*points, trial.problem());
   const StepLimit limit = heat->step_limit();
-  // Power iteration measures FLIP and `kept`; the others must not grow at their hard limit.
-  const bool measured = trial.settings.transfer == HeatTransfer::kept ||
+  // Power iteration measures FLIP and `nodal`; the others must not grow at their hard limit.
+  const bool measured = trial.settings.transfer == HeatTransfer::nodal ||
                         trial.settings.transfer == HeatTransfer::flip;
   const double largest = measured                   ? largest_stable_step(trial)
                          : grows(trial, limit.hard) ? 0.0
@@ -84,7 +84,7 @@ Trial<Dim> noisy(HeatTransfer transfer, ShapeFunction shape) {
 TEST_CASE("The automatic step is stable and at least 0.4 of the largest on lattice points") {
   const ShapeFunction shape =
       GENERATE(ShapeFunction::linear, ShapeFunction::gimp, ShapeFunction::bspline);
-  const HeatTransfer transfer = GENERATE(HeatTransfer::kept, HeatTransfer::flip);
+  const HeatTransfer transfer = GENERATE(HeatTransfer::nodal, HeatTransfer::flip);
   for (const double shift : {0.0, 0.5}) {
     Trial<1> rod = noisy<1>(transfer, shape);
     rod.centre[0] = shift;
@@ -99,7 +99,7 @@ TEST_CASE("The automatic step is stable and at least 0.4 of the largest on latti
 TEST_CASE("The hard limit is stable on turned, jittered and random points") {
   const ShapeFunction shape =
       GENERATE(ShapeFunction::linear, ShapeFunction::gimp, ShapeFunction::bspline);
-  const HeatTransfer transfer = GENERATE(HeatTransfer::kept, HeatTransfer::flip, HeatTransfer::pic,
+  const HeatTransfer transfer = GENERATE(HeatTransfer::nodal, HeatTransfer::flip, HeatTransfer::pic,
                                          HeatTransfer::affine, HeatTransfer::tpic);
   if (shape == ShapeFunction::linear &&
       (transfer == HeatTransfer::tpic || transfer == HeatTransfer::affine)) {
@@ -125,7 +125,7 @@ TEST_CASE("A step above the hard limit is refused with the number and the reason
                                                        Catch::Contains(message(1.01 * hard)) &&
                                                        Catch::Contains("h^2/alpha"));
   CHECK_NOTHROW(trial.start(1.0, hard));
-  trial.settings.transfer = HeatTransfer::kept;
+  trial.settings.transfer = HeatTransfer::nodal;
   CHECK_THROWS_WITH(trial.start(1.0, 10.0), Catch::Contains("Gershgorin"));
   trial.settings.transfer = HeatTransfer::tpic;
   trial.shape = ShapeFunction::linear;
@@ -134,7 +134,7 @@ TEST_CASE("A step above the hard limit is refused with the number and the reason
 
 TEST_CASE("Convection of any strength is stable at the hard limit") {
   for (const HeatTransfer transfer :
-       {HeatTransfer::kept, HeatTransfer::flip, HeatTransfer::pic, HeatTransfer::affine}) {
+       {HeatTransfer::nodal, HeatTransfer::flip, HeatTransfer::pic, HeatTransfer::affine}) {
     for (const double biot : {1.0, 1e6}) {
       for (const double angle : {0.0, 30.0}) {
         Trial<2> trial = noisy<2>(transfer, ShapeFunction::gimp);

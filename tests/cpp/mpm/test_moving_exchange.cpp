@@ -32,12 +32,12 @@ double error_of(const HeatBoundary& law, double coefficient, int cells, double j
   trial.settings.boundaries = {law};
   Simulation simulation = trial.start(1e9);
   simulation.run_until(end);
-  CHECK(std::abs(simulation.ledgers().front().residual()) <= 1e-11);
+  CHECK(std::abs(simulation.balances().front().residual()) <= 1e-11);
   scenes::Range range;
   range.include(scenes::field(simulation, "temperature"));
   CHECK(range.beyond(0.0, 1.0) <= 0.01);
   const scenes::RadialReference exact(0.0, radius, {}, {coefficient, 1.0}, end);
-  return simulation.ledgers().front().taken_in() / heat_of(exact) - 1.0;
+  return simulation.balances().front().supplied() / heat_of(exact) - 1.0;
 }
 
 // Fails: acting on every node of the band, laws give +4, +12 and +20 % on ten cells.

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "lapilli/mpm/nodal_surface.hpp"
+#include "lapilli/mpm/surface/nodal_surface.hpp"
 #include "mpm/point_sets.hpp"
 
 namespace lapilli {

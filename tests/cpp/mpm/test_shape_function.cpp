@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "lapilli/mpm/patch_weights.hpp"
-#include "lapilli/mpm/weights.hpp"
+#include "lapilli/mpm/transfer/patch_weights.hpp"
+#include "lapilli/mpm/transfer/weights.hpp"
 #include "mpm/point_sets.hpp"
 
 namespace lapilli {

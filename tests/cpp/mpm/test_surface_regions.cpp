@@ -1,4 +1,4 @@
-#include "lapilli/mpm/surface_regions.hpp"
+#include "lapilli/mpm/surface/surface_regions.hpp"
 
 #include <catch2/catch.hpp>
 

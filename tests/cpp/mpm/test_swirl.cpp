@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "lapilli/mpm/prescribed_motion.hpp"
+#include "lapilli/geometry/prescribed_motion.hpp"
 #include "mpm/radial_reference.hpp"
 #include "mpm/square_scenes.hpp"
 
@@ -51,7 +51,7 @@ void stays_accurate(double ratio, double bar) {
   INFO("step " << ratio << " h^2/alpha: carried " << carried << ", interpolated " << interpolated);
   CHECK(carried <= bar);
   CHECK(carried <= 1.2 * interpolated);
-  CHECK(std::abs(simulation.ledgers().front().residual()) <= 1e-12);
+  CHECK(std::abs(simulation.balances().front().residual()) <= 1e-12);
 }
 
 TEST_CASE("Carried temperatures are accurate in a swirl at large and small steps") {

@@ -43,7 +43,7 @@ class Decay : public Physics {
     return {step.size, 2, 1e-3};
   }
   std::vector<Field> fields() override { return {{"temperature", "K", 1, temperature_.values()}}; }
-  std::vector<Ledger> ledgers() const override {
+  std::vector<Balance> balances() const override {
     return {{"heat", "J", initial_, heat(), {{"decay", -lost_}}, 1.0}};
   }
   std::vector<std::pair<std::string, double>> diagnostics() const override {

@@ -51,7 +51,7 @@ TEST_CASE("bad scenes are refused with the place and the number") {
   REQUIRE_THAT(refusal(layout, scene), Contains("viscosity") && Contains("got -1"));
 
   scene = scene_of(layout);
-  scene.heat->dissipation = true;
+  scene.heat->viscous_dissipation = true;
   scene.flow.reset();
   REQUIRE_THAT(refusal(layout, scene), Contains("needs a flow"));
 

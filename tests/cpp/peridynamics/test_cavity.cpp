@@ -20,7 +20,7 @@ struct Measured {
 Measured measure(Case& run, double begin, double end) {
   const WallSurface& walls = run.heat->walls();
   run.simulation->run_until(begin);
-  const auto before = run.heat->ledgers()[0];
+  const auto before = run.heat->balances()[0];
   const int looks = 8;
   Measured mean;
   std::vector<double> u(200, 0.0), v(200, 0.0), local(51, 0.0);
@@ -39,7 +39,7 @@ Measured measure(Case& run, double begin, double end) {
       local[k] += wall_flux_near(run.points(), *run.heat, Vec3(0, k / 50.0, 0), dx) / looks;
     }
   }
-  const auto after = run.heat->ledgers()[0];
+  const auto after = run.heat->balances()[0];
   mean.hot = (after.entries[0].in - before.entries[0].in) / (end - begin);
   mean.cold = -(after.entries[1].in - before.entries[1].in) / (end - begin);
   const auto top_u = std::max_element(u.begin(), u.end());

@@ -16,7 +16,7 @@ Layout square(int rows) {
   return layout;
 }
 
-/// Angular momentum about the middle: positive anticlockwise.
+/// Angular momentum about the middle: positive counter-clockwise.
 double turning(const Case& run) {
   double sum = 0.0;
   for (Index i = 0; i < run.points().size(); ++i) {
@@ -69,7 +69,7 @@ TEST_CASE("viscous heat warms the fluid by what it took from the motion") {
   }
   walls[3].settings.velocity = {1.0, 0.0};
   PeridynamicHeatSettings heat;
-  heat.dissipation = true;
+  heat.viscous_dissipation = true;
   PeridynamicFlowSettings flow;
   Case run(square(8), heat, flow, walls);
   double given = 0.0;

@@ -72,7 +72,7 @@ TEST_CASE("a lid over a long closed box drives the return flow of lubrication") 
   PeridynamicFlowSettings flow;
   flow.sound_speed = 60.0;  // the pressure rises by 6 mu U / h over each height
   PeridynamicHeatSettings heat;
-  heat.dissipation = true;
+  heat.viscous_dissipation = true;
   for (Wall& wall : walls) {
     wall.settings.heat = WallHeat::adiabatic;
   }
@@ -95,8 +95,8 @@ TEST_CASE("a lid over a long closed box drives the return flow of lubrication") 
     }
   }
   CHECK(found / height == Approx(4.0).epsilon(0.1));
-  CHECK(run.heat->ledgers()[0].entries.back().name == "dissipation");
-  CHECK(std::abs(run.heat->ledgers()[0].residual()) < 1e-12);
+  CHECK(run.heat->balances()[0].entries.back().name == "dissipation");
+  CHECK(std::abs(run.heat->balances()[0].residual()) < 1e-12);
 }
 
 TEST_CASE("viscous heat is what a linear shear gives, up to the walls, and none unless asked for") {
@@ -108,7 +108,7 @@ TEST_CASE("viscous heat is what a linear shear gives, up to the walls, and none 
     wall.settings.heat = WallHeat::adiabatic;
   }
   PeridynamicHeatSettings heat;
-  heat.dissipation = true;
+  heat.viscous_dissipation = true;
   Fluid fluid = cavity::unit_fluid();
   fluid.newtonian.viscosity = 2.0;
   Case run(layout, heat, PeridynamicFlowSettings{}, walls, fluid);

@@ -123,7 +123,7 @@ TEST_CASE("the sound speed follows what drives the flow") {
   PeridynamicFlowSettings flow;
   flow.buoyancy = Buoyancy::full;
   Fluid fluid = cavity::unit_fluid();
-  fluid.newtonian.expansion = 0.01;
+  fluid.newtonian.thermal_expansion = 0.01;
   flow.gravity = {0.0, -100.0};
   REQUIRE(Case(layout, {}, flow, cavity::make_walls(1.0, 0.0), fluid).flow->sound_speed() ==
           Approx(50.0));
@@ -166,7 +166,7 @@ TEST_CASE("a small cavity convects, keeps its books and its points apart") {
   REQUIRE(run.flow->smallest_spacing() == 1.0);
   run.simulation->run_until(0.12);
   run.simulation->fields();
-  REQUIRE(std::abs(run.heat->ledgers()[0].residual()) < 1e-12);
+  REQUIRE(std::abs(run.heat->balances()[0].residual()) < 1e-12);
   const auto [low, high] = run.flow->density_variation();
   REQUIRE(low > -0.02);
   REQUIRE(high < 0.02);
@@ -235,7 +235,7 @@ TEST_CASE("the two fields of heat outlive points that move away from walls") {
     flow.laplacian = laplacian;
     Case run = natural_convection(square(20), 1e4, 0.71, heat, flow);
     run.simulation->run_until(0.02);
-    CHECK(std::abs(run.heat->ledgers()[0].residual()) < 1e-12);
+    CHECK(std::abs(run.heat->balances()[0].residual()) < 1e-12);
     for (Index i = 0; i < run.points().size(); ++i) {
       REQUIRE(std::abs(run.heat->temperature()[i] - 0.5) < 0.75);
     }

@@ -46,7 +46,7 @@ TEST_CASE("points out of line keep linear fields and conserve heat") {
   // 1.3 % measured; the bonds of a point then balance but for what the sweeps leave.
   REQUIRE(run.conduction_error() < 0.02);
   REQUIRE(run.heat->exchange().imbalance() < 0.02);
-  REQUIRE(std::abs(run.heat->ledgers()[0].residual()) < 1e-13);
+  REQUIRE(std::abs(run.heat->balances()[0].residual()) < 1e-13);
   Case plain(square(20, 0.1), with(Laplacian::compact));
   plain.simulation->run_until(0.08);
   plain.simulation->fields();
@@ -134,7 +134,7 @@ TEST_CASE("a prescribed flux brings in exactly its heat, convection finds its ba
     REQUIRE(run.heat->wall_power(0) ==
             Approx(2.0).epsilon(laplacian == Laplacian::corrected ? 1e-12 : 0.01));
     REQUIRE(run.heat->wall_power(1) == Approx(-run.heat->wall_power(0)).epsilon(1e-5));
-    REQUIRE(std::abs(run.heat->ledgers()[0].residual()) < 1e-13);
+    REQUIRE(std::abs(run.heat->balances()[0].residual()) < 1e-13);
   }
   walls[0].settings.heat = WallHeat::convection;
   walls[0].settings.flux = 0.0;
@@ -174,7 +174,7 @@ TEST_CASE("a source heats a closed box evenly") {
       REQUIRE(run.heat->temperature()[i] == Approx(1.5).epsilon(1e-12));
     }
   }
-  REQUIRE(run.heat->ledgers()[0].entries[4].in == Approx(1.5).epsilon(1e-12));
+  REQUIRE(run.heat->balances()[0].entries[4].in == Approx(1.5).epsilon(1e-12));
 }
 
 TEMPLATE_TEST_CASE_SIG("a rod and a block conduct like the plane", "", ((int Dim), Dim), 1, 3) {
@@ -229,7 +229,7 @@ TEMPLATE_TEST_CASE_SIG("a rod and a block conduct like the plane", "", ((int Dim
       REQUIRE(heat->temperature()[i] == Approx(exact).margin(0.002));
     }
   }
-  REQUIRE(std::abs(heat->ledgers()[0].residual()) < 1e-13);
+  REQUIRE(std::abs(heat->balances()[0].residual()) < 1e-13);
 }
 
 TEST_CASE("conduction alone: any threads and a resume give the same bytes, nothing moves") {

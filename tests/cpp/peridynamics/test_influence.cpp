@@ -7,7 +7,7 @@ using namespace lapilli;
 
 TEST_CASE("the exponential of four numbers is that of the standard library") {
   for (double x = 0.0; x > -50.0; x -= 0.0137) {
-    const Quad result = lanes::exp_negative(Quad{x, 0.5 * x, 0.0, -x * x});
+    const Double4 result = lanes::exp_negative(Double4{x, 0.5 * x, 0.0, -x * x});
     // 1e-15: a few units in the last place of the polynomial.
     REQUIRE(result[0] == Approx(std::exp(x)).epsilon(2e-15));
     REQUIRE(result[1] == Approx(std::exp(0.5 * x)).epsilon(2e-15));
@@ -20,7 +20,7 @@ TEST_CASE("weights of four bonds are those of one") {
     const BondWeight weight{influence, 3.015, 1.0, true};
     const lanes::BondWeightLanes four(weight);
     for (double r = 0.05; r < 3.3; r += 0.07) {
-      const Quad lengths = all(r);
+      const Double4 lengths = all(r);
       REQUIRE(four(lengths * lengths, lengths)[2] ==
               Approx(weight(r)).epsilon(1e-13).margin(1e-300));
     }

@@ -61,7 +61,7 @@ inline Grid<2> grid_around(const Corners& places, double h, double margin = 1.0,
   return Grid<2>(low, high, h);
 }
 
-/// m x m points a cell, the boxes cut by the shape: exact volume and centroid.
+/// m x m points per cell, the boxes cut by the shape: exact volume and centroid.
 inline void fill_clipped(Points& points, const Grid<2>& grid, const Shape& shape, int m) {
   FillOptions options;
   options.clip = true;
@@ -86,7 +86,7 @@ struct LinearProblem {
 
   /// `change` may alter the facets before they are used.
   template <class Change>
-  void solve(const std::vector<LineWall>& walls, const WallScheme& scheme, double ghost,
+  void solve(const std::vector<LineWall>& walls, const SupportScheme& scheme, double ghost,
              Vec<2> body_force, const Change& change) {
     weights.build(grid, points.position(), {});
     state = std::make_unique<CellState<2>>(grid, std::as_const(points).volume(), points.body(),
@@ -106,7 +106,7 @@ struct LinearProblem {
       change(facet);
       const LineWall& wall = walls[facet.surface];
       const std::vector<Vec<2>> motion(facet.points.size(), wall.motion);
-      loads.walls.push_back(wall_term<2>(grid, *state, facet, wall.kind, motion, scheme));
+      loads.walls.push_back(support_term<2>(grid, *state, facet, wall.kind, motion, scheme));
     }
     stress.assign(6 * points.size(), 0.0);
     equilibrium =
@@ -118,7 +118,7 @@ struct LinearProblem {
         u, [&](const auto& at) { return equilibrium->residual(at); },
         [&](const auto& force) { return equilibrium->correction(force); }, 1e-10, 10);
   }
-  void solve(const std::vector<LineWall>& walls, const WallScheme& scheme, double ghost,
+  void solve(const std::vector<LineWall>& walls, const SupportScheme& scheme, double ghost,
              Vec<2> body_force = Vec<2>::Zero()) {
     solve(walls, scheme, ghost, body_force, [](Facet<2>&) {});
   }
@@ -150,7 +150,7 @@ struct LinearProblem {
   Eigen::VectorXd u;
 };
 
-inline const WallScheme literal_scheme = WallScheme::of(WallForm::literal, 1e-6, 0.05);
-inline const WallScheme default_scheme = WallScheme::of(WallForm::mean_gap, 1e-3, 0.05);
+inline const SupportScheme literal_scheme = SupportScheme::of(Enforcement::literal, 1e-6, 0.05);
+inline const SupportScheme default_scheme = SupportScheme::of(Enforcement::mean_gap, 1e-3, 0.05);
 
 }  // namespace lapilli::test

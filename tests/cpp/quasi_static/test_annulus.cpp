@@ -18,9 +18,9 @@ struct Ring {
     const Grid<2> grid(lower, lower + Vec<2>(2.0 * reach, 2.0 * reach), h);
     fill_clipped(points, grid, Annulus{{0.0, 0.0}, inner, outer}, 4);
     QuasiStaticSettings settings;
-    settings.walls.push_back(
+    settings.supports.push_back(
         {"hole", HeldMotion::fixed, {Disk{{0.0, 0.0}, inner}, false, {}, {}}, std::move(motion)});
-    settings.walls.push_back(
+    settings.supports.push_back(
         {"rim", HeldMotion::roller, {Disk{{0.0, 0.0}, outer}, true, {}, {}}, {}});
     start.assign(points.position().begin(), points.position().end());
     physics = std::make_unique<QuasiStatic<2>>(points, grid, ShapeFunction::linear,

@@ -10,7 +10,7 @@ using namespace lapilli::test;
 
 namespace {
 
-double corner_deflection(double h, int m, const WallScheme& scheme, double ghost, double shift) {
+double corner_deflection(double h, int m, const SupportScheme& scheme, double ghost, double shift) {
   const Corners c = Rectangle::turned(0.0, {0.0, 0.0}, 100.0, 100.0).corners();
   const Grid<2> grid(Vec<2>(-shift, 0.0), Vec<2>(100.0 - shift + (shift > 0.0 ? h : 0.0), 100.0),
                      h);
@@ -52,7 +52,7 @@ TEST_CASE("deep beam: error against cell size (Table 3)") {
 }
 
 TEST_CASE("deep beam: the wall inside a cell changes the deflection little") {
-  const WallScheme scheme = WallScheme::of(WallForm::mean_gap, 1e-6, 0.05);
+  const SupportScheme scheme = SupportScheme::of(Enforcement::mean_gap, 1e-6, 0.05);
   for (const auto& [shift, page] : {std::pair(0.0, -28.0805), std::pair(2.5, -28.1295),
                                     std::pair(5.0, -28.1538), std::pair(9.0, -28.1174)}) {
     const double uy = corner_deflection(10.0, 10, scheme, 0.01, shift);

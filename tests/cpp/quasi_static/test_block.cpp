@@ -10,7 +10,7 @@ using namespace lapilli::test;
 namespace {
 
 struct BlockOptions {
-  WallScheme scheme = literal_scheme;
+  SupportScheme scheme = literal_scheme;
   double ghost = 0.0;
   double h = 10.0;
   bool relocate = true;         // points to the centroids of their clipped boxes
@@ -92,7 +92,7 @@ TEST_CASE("contained block: inclined walls pass the patch test with mean gaps") 
     INFO("degrees " << degrees << " ru " << errors.displacement << " rs " << errors.stress);
     CHECK(errors.displacement <= 1e-11);
     CHECK(errors.stress <= 1e-11);
-    options.scheme = WallScheme::of(WallForm::mean_gap, 1e-6, 0.05);
+    options.scheme = SupportScheme::of(Enforcement::mean_gap, 1e-6, 0.05);
     const BlockErrors stiff = solve_block(degrees, options);
     CHECK(stiff.displacement <= 1e-9);
     CHECK(stiff.stress <= 1e-9);
@@ -104,7 +104,7 @@ TEST_CASE("contained block: bandwidths from 1e-1 to 1e-12 cells lose only roundi
   for (double bandwidth : {1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
     BlockOptions options;
     options.ghost = 0.01;
-    options.scheme = WallScheme::of(WallForm::pointwise, bandwidth, 0.05);
+    options.scheme = SupportScheme::of(Enforcement::pointwise, bandwidth, 0.05);
     const BlockErrors errors = solve_block(30.0, options);
     INFO("bandwidth " << bandwidth << " ru " << errors.displacement);
     CHECK(errors.displacement <= 1e-13 + 1e-15 / bandwidth);
@@ -129,7 +129,7 @@ TEST_CASE("contained block: mutants fail the patch test") {
     half.scheme.consistency = 0.5;  // Eq. 26 as printed
     CHECK(solve_block(degrees, half).displacement > 5e-8);
     BlockOptions none;
-    none.scheme = WallScheme::of(WallForm::penalty, 1e-6, 0.05);
+    none.scheme = SupportScheme::of(Enforcement::penalty, 1e-6, 0.05);
     CHECK(solve_block(degrees, none).displacement > 1e-7);
   }
 }

@@ -15,7 +15,7 @@ struct CubeErrors {
   double displacement = 0.0, stress = 0.0, volume = 0.0;
 };
 
-CubeErrors solve_cube(const Mat3& turn, WallForm form) {
+CubeErrors solve_cube(const Mat3& turn, Enforcement form) {
   const double size = 4.0;
   const Vec3 origin(0.31, 0.17, 0.23);
   Vec3 low = Vec3::Constant(1e300), high = -low;
@@ -29,19 +29,19 @@ CubeErrors solve_cube(const Mat3& turn, WallForm form) {
     high[axis] = std::ceil(high[axis]) + 1.0;
   }
   QuasiStaticSettings settings;
-  settings.wall_form = form;
+  settings.enforcement = form;
   for (int axis = 0; axis < 3; ++axis) {
     for (int end : {0, 1}) {
       const Vec3 at = origin + end * size * turn.col(axis);
       const Vec3 out = (end ? 1.0 : -1.0) * turn.col(axis);
       const HalfSpace half{{at[0], at[1], at[2]}, {out[0], out[1], out[2]}};
-      WallSettings wall{"side", HeldMotion::roller, {half, true, {}, {}}, {}};
+      SupportSettings wall{"side", HeldMotion::roller, {half, true, {}, {}}, {}};
       if (axis == 0 && end == 1) {
         for (int k = 0; k < 3; ++k) {
           wall.displacement.push_back(Table{{0.0, 1.0}, {0.0, 0.01 * size * turn(k, 0)}});
         }
       }
-      settings.walls.push_back(wall);
+      settings.supports.push_back(wall);
     }
   }
   Points points(3);
@@ -86,7 +86,7 @@ Mat3 about_three_axes() {
 }  // namespace
 
 TEST_CASE("turned cube: clipped points fill it exactly") {
-  const CubeErrors errors = solve_cube(about_three_axes(), WallForm::mean_gap);
+  const CubeErrors errors = solve_cube(about_three_axes(), Enforcement::mean_gap);
   CHECK(errors.volume == Approx(64.0).epsilon(1e-12));
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("turned cube: passes the patch test about one and three axes") {
   const double degree = std::numbers::pi / 180.0;
   const Mat3 about_z = Eigen::AngleAxisd(30.0 * degree, Vec3::UnitZ()).toRotationMatrix();
   for (const Mat3& turn : {about_z, about_three_axes()}) {
-    for (WallForm form : {WallForm::mean_gap, WallForm::literal}) {
+    for (Enforcement form : {Enforcement::mean_gap, Enforcement::literal}) {
       const CubeErrors errors = solve_cube(turn, form);
       INFO(name_of(form) << ": ru " << errors.displacement << ", rs " << errors.stress);
       CHECK(errors.displacement <= 1e-8);

@@ -12,7 +12,7 @@ namespace {
 // extrapolated.
 const double reference_compliance = 2.905868552908769e-3;
 
-double compliance_error(double degrees, double h, const WallScheme& scheme, double ghost) {
+double compliance_error(double degrees, double h, const SupportScheme& scheme, double ghost) {
   Rectangle beam = Rectangle::turned(degrees, Vec<2>::Zero(), 100.0, 20.0);
   beam.corner = -10.0 * beam.e2;
   const Corners c = beam.corners();
@@ -34,7 +34,7 @@ struct Bending {
   Vec<2> reaction;
 };
 
-Bending bend(double degrees, double h, int m, WallForm form, ShapeFunction shape) {
+Bending bend(double degrees, double h, int m, Enforcement form, ShapeFunction shape) {
   Rectangle beam = Rectangle::turned(degrees, Vec<2>::Zero(), 100.0, 20.0);
   beam.corner = -10.0 * beam.e2;
   const Corners c = beam.corners();
@@ -46,12 +46,13 @@ Bending bend(double degrees, double h, int m, WallForm form, ShapeFunction shape
   Points points(2);
   fill_clipped(points, grid, polygon(c), m);
   QuasiStaticSettings settings;
-  settings.wall_form = form;
+  settings.enforcement = form;
   settings.bandwidth = 1e-6;
-  settings.ghost = 0.01;
+  settings.ghost_penalty = 0.01;
   settings.relaxation = 0.0;        // as the reference was run
   settings.update_volumes = false;  //
-  settings.walls.push_back({"end", HeldMotion::fixed, {{}, false, numbers({c[1], c[2]}), {}}, {}});
+  settings.supports.push_back(
+      {"end", HeldMotion::fixed, {{}, false, numbers({c[1], c[2]}), {}}, {}});
   for (int axis = 0; axis < 2; ++axis) {
     settings.body_force.push_back(Table{{0.0, 1.0}, {0.0, -0.2 * beam.e2[axis]}});
   }
@@ -75,7 +76,8 @@ Bending bend(double degrees, double h, int m, WallForm form, ShapeFunction shape
     }
     bending.tip.push_back({mean.dot(beam.e1), mean.dot(beam.e2)});
   }
-  bending.reaction = {physics.wall_forces()[0].dot(beam.e1), physics.wall_forces()[0].dot(beam.e2)};
+  bending.reaction = {physics.support_forces()[0].dot(beam.e1),
+                      physics.support_forces()[0].dot(beam.e2)};
   return bending;
 }
 
@@ -96,23 +98,23 @@ TEST_CASE("inclined cantilever: the paper's form locks") {
   // What the default is measured against: ten points, stiff everywhere, 10 % too stiff at 45
   // degrees.
   const double locked =
-      compliance_error(45.0, 2.0, WallScheme::of(WallForm::pointwise, 1e-6, 0.05), 0.01);
+      compliance_error(45.0, 2.0, SupportScheme::of(Enforcement::pointwise, 1e-6, 0.05), 0.01);
   CHECK(locked < -0.08);
   CHECK(locked > -0.12);
 }
 
 TEST_CASE("bent cantilever: the angle to the grid hardly matters") {
-  const Bending flat = bend(0.0, 4.0, 4, WallForm::mean_gap, ShapeFunction::linear);
-  const Bending upright = bend(90.0, 4.0, 4, WallForm::mean_gap, ShapeFunction::linear);
+  const Bending flat = bend(0.0, 4.0, 4, Enforcement::mean_gap, ShapeFunction::linear);
+  const Bending upright = bend(90.0, 4.0, 4, Enforcement::mean_gap, ShapeFunction::linear);
   CHECK(std::abs(upright.tip.back()[1] / flat.tip.back()[1] - 1.0) <= 1e-10);
   CHECK(flat.tip.back()[1] == Approx(-56.2).margin(0.5));
   CHECK(flat.reaction[1] == Approx(400.0).epsilon(1e-8));
 }
 
 TEST_CASE("bent cantilever at 2 mm and 45 degrees", "[.slow]") {
-  const Bending flat = bend(0.0, 2.0, 4, WallForm::mean_gap, ShapeFunction::linear);
-  const Bending upright = bend(90.0, 2.0, 4, WallForm::mean_gap, ShapeFunction::linear);
-  const Bending inclined = bend(45.0, 2.0, 4, WallForm::mean_gap, ShapeFunction::linear);
+  const Bending flat = bend(0.0, 2.0, 4, Enforcement::mean_gap, ShapeFunction::linear);
+  const Bending upright = bend(90.0, 2.0, 4, Enforcement::mean_gap, ShapeFunction::linear);
+  const Bending inclined = bend(45.0, 2.0, 4, Enforcement::mean_gap, ShapeFunction::linear);
   INFO("tip at 25, 50, 100 %: " << flat.tip[4][1] << " " << flat.tip[9][1] << " "
                                 << flat.tip[19][1]);
   CHECK(std::abs(upright.tip.back()[1] / flat.tip.back()[1] - 1.0) <= 1e-10);

@@ -14,7 +14,7 @@ struct ColumnErrors {
   double displacement = 0.0, stress = 0.0;  // relative, in the L2 norm
 };
 
-ColumnErrors solve_column(double degrees, double h, const WallScheme& scheme) {
+ColumnErrors solve_column(double degrees, double h, const SupportScheme& scheme) {
   const double b = 1e-3, size = 100.0;
   const Rectangle column = Rectangle::turned(degrees, h * Vec<2>(0.13, 0.29), size, size);
   const Corners c = column.corners();
@@ -43,10 +43,10 @@ TEST_CASE("turned column: displacement converges at second order, stress at firs
   // Linear elements: rates 2 and 1; the bars allow 5 and 10 % off.
   struct Row {
     double degrees;
-    WallScheme scheme;
+    SupportScheme scheme;
     double page_displacement, page_stress;  // at h = 10
   };
-  const WallScheme stiff = WallScheme::of(WallForm::mean_gap, 1e-6, 0.05);
+  const SupportScheme stiff = SupportScheme::of(Enforcement::mean_gap, 1e-6, 0.05);
   for (const Row& row :
        {Row{0.0, default_scheme, 2.4e-3, 4.6e-2}, Row{20.0, default_scheme, 2.1e-3, 3.8e-2},
         Row{45.0, default_scheme, 9.6e-4, 2.2e-2}, Row{45.0, stiff, 9.6e-4, 2.2e-2}}) {
@@ -66,8 +66,8 @@ TEST_CASE("turned column: displacement converges at second order, stress at firs
 }
 
 TEST_CASE("turned column: aligned, all wall forms agree") {
-  for (WallForm form : {WallForm::pointwise, WallForm::mean_gap, WallForm::nitsche}) {
-    const ColumnErrors errors = solve_column(0.0, 10.0, WallScheme::of(form, 1e-6, 0.05));
+  for (Enforcement form : {Enforcement::pointwise, Enforcement::mean_gap, Enforcement::nitsche}) {
+    const ColumnErrors errors = solve_column(0.0, 10.0, SupportScheme::of(form, 1e-6, 0.05));
     CHECK(errors.displacement == Approx(2.4e-3).epsilon(0.03));
     CHECK(errors.stress == Approx(4.6e-2).epsilon(0.03));
   }

@@ -29,7 +29,7 @@ Answer pull(double first, double second, double load, double cell) {
   }();
   points.append(other.position, other.volume, 1);
   QuasiStaticSettings settings;
-  settings.walls = {{"left", HeldMotion::fixed, {{}, false, {{0.3, 2.7}, {0.3, 0.3}}, {}}, {}}};
+  settings.supports = {{"left", HeldMotion::fixed, {{}, false, {{0.3, 2.7}, {0.3, 0.3}}, {}}, {}}};
   settings.tractions = {{"pull", {{}, false, {{8.3, 0.3}, {8.3, 2.7}}, {}}, {load, 0.0}}};
   try {
     QuasiStatic<2> physics(points, grid, ShapeFunction::linear,

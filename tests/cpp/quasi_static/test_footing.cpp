@@ -1,5 +1,5 @@
 // Cortis et al. 5.5: a rough footing of 1 m pressed 1 m into a block of 3 x 3 m between rollers;
-// h = 0.2, four points a cell.
+// h = 0.2, four points per cell.
 #include <catch2/catch.hpp>
 
 #include "lapilli/core/require.hpp"
@@ -24,13 +24,13 @@ Pressed press(int steps, ShapeFunction shape, const QuasiStaticSettings& form) {
   fill_clipped(points, grid, Box{{0.0, 0.0}, {3.0, 3.0}}, 2);
   QuasiStaticSettings settings = form;
   settings.update_volumes = false;  // as the paper and the reference
-  settings.walls = {{"left", HeldMotion::roller, {{}, false, {{0.0, 3.0}, {0.0, 0.0}}, {}}, {}},
-                    {"right", HeldMotion::roller, {{}, false, {{3.0, 0.0}, {3.0, 3.0}}, {}}, {}},
-                    {"base", HeldMotion::roller, {{}, false, {{0.0, 0.0}, {3.0, 0.0}}, {}}, {}},
-                    {"footing",
-                     HeldMotion::fixed,
-                     {{}, false, {{2.0, 3.0}, {1.0, 3.0}}, {}},
-                     {0.0, Table{{0.0, 1.0}, {0.0, -1.0}}}}};
+  settings.supports = {{"left", HeldMotion::roller, {{}, false, {{0.0, 3.0}, {0.0, 0.0}}, {}}, {}},
+                       {"right", HeldMotion::roller, {{}, false, {{3.0, 0.0}, {3.0, 3.0}}, {}}, {}},
+                       {"base", HeldMotion::roller, {{}, false, {{0.0, 0.0}, {3.0, 0.0}}, {}}, {}},
+                       {"footing",
+                        HeldMotion::fixed,
+                        {{}, false, {{2.0, 3.0}, {1.0, 3.0}}, {}},
+                        {0.0, Table{{0.0, 1.0}, {0.0, -1.0}}}}};
   QuasiStatic<2> physics(points, grid, shape, {elastic}, settings);
   const std::vector<double> start(points.position().begin(), points.position().end());
   Pressed result;
@@ -42,7 +42,7 @@ Pressed press(int steps, ShapeFunction shape, const QuasiStaticSettings& form) {
         const StepReport report = physics.advance({time, next - time, step});
         time = report.accepted == next - time ? next : time + report.accepted;
       }
-      result.force.push_back(-physics.wall_forces()[3][1]);
+      result.force.push_back(-physics.support_forces()[3][1]);
       for (Index p = 0; p < points.size(); ++p) {
         const double x = points.position()[2 * p], x0 = start[2 * p];
         if (x0 > 1.0 && x0 < 2.0 && x > 1.0 + 1e-6 && x < 2.0 - 1e-6) {
@@ -89,7 +89,7 @@ TEST_CASE("footing: no point crosses it, whatever the number of steps") {
 
 TEST_CASE("footing: the paper's rule loses the wall in empty cells and is refused") {
   QuasiStaticSettings paper;
-  paper.wall_form = WallForm::literal;
+  paper.enforcement = Enforcement::literal;
   paper.hold_empty_cells = false;
   const Pressed pressed = press(17, ShapeFunction::linear, paper);
   INFO(pressed.error);

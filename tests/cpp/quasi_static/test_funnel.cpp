@@ -20,7 +20,7 @@ struct Pushed {
   double least = 1e300;  // smallest forward displacement
 };
 
-Pushed push(double h, WallForm form, double bandwidth) {
+Pushed push(double h, Enforcement form, double bandwidth) {
   const double push_length = 24.0;
   Corners body{{60.0, 0.0}, {60.0, roof(60.0)}};
   for (double x = 59.5; x > 55.9; x -= 0.5) {
@@ -33,21 +33,22 @@ Pushed push(double h, WallForm form, double bandwidth) {
   Points points(2);
   fill_clipped(points, grid, polygon(body), 2);
   QuasiStaticSettings settings;
-  settings.wall_form = form;
+  settings.enforcement = form;
   settings.bandwidth = bandwidth;
-  settings.ghost = 0.01;
+  settings.ghost_penalty = 0.01;
   settings.relaxation = 0.0;        // as the reference was run
   settings.update_volumes = false;  //
   Corners top;
   for (double x = 140.0; x > -0.5 * h; x -= h) {
     top.push_back({x, roof(x)});
   }
-  settings.walls = {{"roof", HeldMotion::roller, {{}, false, numbers(top), {}}, {}},
-                    {"floor", HeldMotion::roller, {{}, false, {{0.0, 0.0}, {140.0, 0.0}}, {}}, {}},
-                    {"piston",
-                     HeldMotion::roller,
-                     {{}, false, {{0.0, 40.0}, {0.0, 0.0}}, {}},
-                     {Table{{0.0, 1.0}, {0.0, push_length}}}}};
+  settings.supports = {
+      {"roof", HeldMotion::roller, {{}, false, numbers(top), {}}, {}},
+      {"floor", HeldMotion::roller, {{}, false, {{0.0, 0.0}, {140.0, 0.0}}, {}}, {}},
+      {"piston",
+       HeldMotion::roller,
+       {{}, false, {{0.0, 40.0}, {0.0, 0.0}}, {}},
+       {Table{{0.0, 1.0}, {0.0, push_length}}}}};
   QuasiStatic<2> physics(points, grid, ShapeFunction::linear, {elastic}, settings);
   Pushed result;
   for (int step = 0; step < 6; ++step) {
@@ -61,14 +62,14 @@ Pushed push(double h, WallForm form, double bandwidth) {
   for (Index p = 0; p < points.size(); ++p) {
     result.least = std::min(result.least, physics.displacement()[2 * p]);
   }
-  result.force = physics.wall_forces()[2][0];
+  result.force = physics.support_forces()[2][0];
   return result;
 }
 
 }  // namespace
 
 TEST_CASE("funnel: a curved roller lets the block slide") {
-  const Pushed pushed = push(4.0, WallForm::mean_gap, 1e-6);
+  const Pushed pushed = push(4.0, Enforcement::mean_gap, 1e-6);
   INFO("force " << pushed.force << ", outside " << pushed.outside << ", least " << pushed.least);
   CHECK(pushed.force > 1000.0);
   CHECK(pushed.force < 1500.0);
@@ -77,7 +78,7 @@ TEST_CASE("funnel: a curved roller lets the block slide") {
 }
 
 TEST_CASE("funnel: the paper's form sticks to a curved roller") {
-  const Pushed stuck = push(4.0, WallForm::pointwise, 1e-6);
+  const Pushed stuck = push(4.0, Enforcement::pointwise, 1e-6);
   INFO("force " << stuck.force << ", least " << stuck.least);
   CHECK(stuck.force > 5000.0);
   CHECK(stuck.least < 5.0);

@@ -50,10 +50,10 @@ Drift hold_block(double degrees) {
   const auto wall = [](const char* name, const Vec<2>& at, const Vec<2>& out,
                        std::vector<Value> motion) {
     const Shape half = HalfSpace{{at[0], at[1]}, {out[0], out[1]}};
-    return WallSettings{name, HeldMotion::roller, {half, true, {}, {}}, std::move(motion)};
+    return SupportSettings{name, HeldMotion::roller, {half, true, {}, {}}, std::move(motion)};
   };
   QuasiStaticSettings settings;
-  settings.walls = {
+  settings.supports = {
       wall("left", c[0], -block.e1, {}), wall("base", c[0], -block.e2, {}),
       wall("top", c[3], block.e2, {}),
       wall("right", c[1], block.e1,
@@ -75,7 +75,8 @@ Drift hold_cantilever(double h, int m) {
   Points points(2);
   fill_clipped(points, grid, polygon(c), m);
   QuasiStaticSettings settings;
-  settings.walls.push_back({"end", HeldMotion::fixed, {{}, false, numbers({c[1], c[2]}), {}}, {}});
+  settings.supports.push_back(
+      {"end", HeldMotion::fixed, {{}, false, numbers({c[1], c[2]}), {}}, {}});
   for (int axis = 0; axis < 2; ++axis) {
     settings.body_force.push_back(Table{{0.0, 1.0}, {0.0, -0.02 * beam.e2[axis]}});
   }
@@ -92,13 +93,13 @@ Drift hold_footing(double h, int m) {
   fill_clipped(points, grid, Box{{0.0, 0.0}, {3.0, 3.0}}, m);
   QuasiStaticSettings settings;
   settings.bandwidth = 1e-6;
-  settings.walls = {{"left", HeldMotion::roller, {{}, false, {{0.0, 3.0}, {0.0, 0.0}}, {}}, {}},
-                    {"right", HeldMotion::roller, {{}, false, {{3.0, 0.0}, {3.0, 3.0}}, {}}, {}},
-                    {"base", HeldMotion::roller, {{}, false, {{0.0, 0.0}, {3.0, 0.0}}, {}}, {}},
-                    {"footing",
-                     HeldMotion::fixed,
-                     {{}, false, {{2.0, 3.0}, {1.0, 3.0}}, {}},
-                     {0.0, Table{{0.0, 1.0}, {0.0, -0.3}}}}};
+  settings.supports = {{"left", HeldMotion::roller, {{}, false, {{0.0, 3.0}, {0.0, 0.0}}, {}}, {}},
+                       {"right", HeldMotion::roller, {{}, false, {{3.0, 0.0}, {3.0, 3.0}}, {}}, {}},
+                       {"base", HeldMotion::roller, {{}, false, {{0.0, 0.0}, {3.0, 0.0}}, {}}, {}},
+                       {"footing",
+                        HeldMotion::fixed,
+                        {{}, false, {{2.0, 3.0}, {1.0, 3.0}}, {}},
+                        {0.0, Table{{0.0, 1.0}, {0.0, -0.3}}}}};
   QuasiStatic<2> physics(points, grid, ShapeFunction::gimp, {elastic}, settings);
   for (int step = 0; step < 6; ++step) {
     physics.advance({step / 6.0, 1.0 / 6.0, step});

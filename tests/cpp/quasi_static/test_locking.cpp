@@ -38,7 +38,7 @@ double lame_error(double poisson, double cell, ShapeFunction shape_function) {
   for (int axis = 0; axis < Dim; ++axis) {
     std::vector<double> out = vector(0.0);
     out[axis] = -1.0;
-    settings.walls.push_back(
+    settings.supports.push_back(
         {"flat", HeldMotion::roller, {HalfSpace{vector(off), out}, true, {}, {}}, {}});
   }
   TractionSettings load{"load", {hole, false, {}, {}}, {}};
@@ -72,7 +72,7 @@ double tip_share(double poisson, double cell, ShapeFunction shape_function) {
   fill_clipped(points, grid, polygon(beam.corners()), 2);
   QuasiStaticSettings settings;
   const Corners c = beam.corners();
-  settings.walls = {{"end", HeldMotion::fixed, {{}, false, numbers({c[3], c[0]}), {}}, {}}};
+  settings.supports = {{"end", HeldMotion::fixed, {{}, false, numbers({c[3], c[0]}), {}}, {}}};
   settings.body_force = {-weight * beam.e2[0], -weight * beam.e2[1]};
   QuasiStatic<2> physics(points, grid, shape_function, {material}, settings);
   physics.advance({0.0, 1.0, 0});

@@ -15,8 +15,8 @@ HalfSpace side(double x, double y, double out_x, double out_y) {
   return HalfSpace{{x, y}, {out_x, out_y}};
 }
 
-WallSettings wall(const char* name, HeldMotion kind, const Shape& shape, bool inside,
-                  std::vector<Value> displacement = {}) {
+SupportSettings wall(const char* name, HeldMotion kind, const Shape& shape, bool inside,
+                     std::vector<Value> displacement = {}) {
   return {name, kind, {shape, inside, {}, {}}, std::move(displacement)};
 }
 
@@ -25,7 +25,7 @@ struct Block {
   explicit Block(ShapeFunction shape = ShapeFunction::gimp) : shape_function(shape) {
     fill_clipped(points, grid, polygon(block.corners()), 2);
     const Vec<2> a = block.corner;
-    settings.walls = {
+    settings.supports = {
         wall("left", HeldMotion::roller, side(a[0], a[1], -block.e1[0], -block.e1[1]), true),
         wall("base", HeldMotion::roller, side(a[0], a[1], -block.e2[0], -block.e2[1]), true)};
     settings.body_force = {Table{{0.0, 1.0}, {0.0, 3.0 * -block.e2[0]}},
@@ -123,7 +123,7 @@ TEST_CASE("quasi-static: walls carry the load, and the report says how it went")
     return 0.0;
   };
   // Weight 3 * 12 along -e2, on rollers.
-  const Vec<2> force = block.physics->wall_forces()[0] + block.physics->wall_forces()[1];
+  const Vec<2> force = block.physics->support_forces()[0] + block.physics->support_forces()[1];
   CHECK(force.dot(block.block.e2) == Approx(36.0).epsilon(1e-9));
   CHECK(std::abs(force.dot(block.block.e1)) < 36.0 * 1e-9);
   CHECK(number("smallest pivot") > 0.0);
@@ -140,10 +140,10 @@ TEST_CASE("quasi-static: a traction stretches a bar") {
   const Grid<2> grid(Vec<2>(-1.0, -1.0), Vec<2>(6.0, 4.0), 1.0);
   fill_clipped(points, grid, Box{{0.3, 0.0}, {4.6, 3.0}}, 2);
   QuasiStaticSettings settings;
-  settings.walls = {wall("left", HeldMotion::roller, side(0.3, 0.0, -1.0, 0.0), true),
-                    wall("base", HeldMotion::roller, side(0.0, 0.0, 0.0, -1.0), true)};
-  settings.walls[0].surface.within = Box{{0.0, 0.0}, {1.0, 3.0}};
-  settings.walls[1].surface.within = Box{{0.3, -1.0}, {4.6, 1.0}};
+  settings.supports = {wall("left", HeldMotion::roller, side(0.3, 0.0, -1.0, 0.0), true),
+                       wall("base", HeldMotion::roller, side(0.0, 0.0, 0.0, -1.0), true)};
+  settings.supports[0].surface.within = Box{{0.0, 0.0}, {1.0, 3.0}};
+  settings.supports[1].surface.within = Box{{0.3, -1.0}, {4.6, 1.0}};
   settings.tractions = {{"pull", {{}, false, {{4.6, 0.0}, {4.6, 3.0}}, {}}, {2.5, 0.0}}};
   QuasiStatic<2> physics(points, grid, ShapeFunction::linear, {elastic}, settings);
   physics.advance({0.0, 1.0, 0});
@@ -157,41 +157,41 @@ TEST_CASE("quasi-static: a traction stretches a bar") {
 
 TEST_CASE("quasi-static: a wall that cuts nothing is refused by name") {
   Block block;
-  block.settings.walls.push_back(wall("far", HeldMotion::fixed, side(5.5, 0.0, 1.0, 0.0), true));
+  block.settings.supports.push_back(wall("far", HeldMotion::fixed, side(5.5, 0.0, 1.0, 0.0), true));
   CHECK_THAT(block.refusal(), Contains("wall 'far' cuts no material"));
   Block wrong_side;
-  wrong_side.settings.walls.push_back({"line", HeldMotion::fixed, {}, {}});
+  wrong_side.settings.supports.push_back({"line", HeldMotion::fixed, {}, {}});
   CHECK_THAT(wrong_side.refusal(), Contains("wall 'line' needs either a shape or a line"));
 }
 
 TEST_CASE("quasi-static: contradicting walls are named") {
   Block block;
-  WallSettings twin = block.settings.walls[0];
+  SupportSettings twin = block.settings.supports[0];
   twin.name = "twin";
   twin.displacement = {Table{{0.0, 1.0}, {0.0, 0.1}}};
   // Trimmed by no other solid: lines lie where they are.
   const Corners c = block.block.corners();
-  block.settings.walls[0].surface = {{}, false, numbers({c[3], c[0]}), {}};
-  twin.surface = block.settings.walls[0].surface;
-  block.settings.walls.push_back(twin);
+  block.settings.supports[0].surface = {{}, false, numbers({c[3], c[0]}), {}};
+  twin.surface = block.settings.supports[0].surface;
+  block.settings.supports.push_back(twin);
   const std::string error = block.failure();
   CHECK_THAT(error, Contains("'left'") && Contains("'twin'") && Contains("contradict"));
 }
 
 TEST_CASE("quasi-static: the rigid motion that is left is named") {
   Block sliding;
-  sliding.settings.walls.erase(sliding.settings.walls.begin());
+  sliding.settings.supports.erase(sliding.settings.supports.begin());
   CHECK_THAT(sliding.failure(),
              Contains("held by nothing against translation along") && Contains("0.93969"));
   Block loose;
-  loose.settings.walls.clear();
+  loose.settings.supports.clear();
   CHECK_THAT(loose.failure(), Contains("every rigid motion"));
   // A ring in a round roller turns.
   Points points(2);
   const Grid<2> grid(Vec<2>(-6.0, -6.0), Vec<2>(6.0, 6.0), 1.0);
   fill_clipped(points, grid, Annulus{{0.2, 0.1}, 2.0, 4.5}, 2);
   QuasiStaticSettings settings;
-  settings.walls = {wall("rim", HeldMotion::roller, Disk{{0.2, 0.1}, 4.5}, true)};
+  settings.supports = {wall("rim", HeldMotion::roller, Disk{{0.2, 0.1}, 4.5}, true)};
   QuasiStatic<2> physics(points, grid, ShapeFunction::linear, {elastic}, settings);
   CHECK_THROWS_WITH(physics.advance({0.0, 1.0, 0}), Contains("rotation about (0.2, 0.1)"));
 }
@@ -199,10 +199,10 @@ TEST_CASE("quasi-static: the rigid motion that is left is named") {
 TEST_CASE("quasi-static: a step that pushes points through a wall is halved, then refused") {
   // A penalty as soft as the block itself gives way by half a cell under the whole load.
   Block block;
-  block.settings.wall_form = WallForm::penalty;
+  block.settings.enforcement = Enforcement::penalty;
   block.settings.bandwidth = 1.0;
-  block.settings.largest_penetration = 0.1;
-  block.settings.largest_halvings = 0;
+  block.settings.max_penetration = 0.1;
+  block.settings.max_cutbacks = 0;
   for (std::size_t axis : {0, 1}) {
     const double weight = -300.0 * block.block.e2[static_cast<int>(axis)];
     block.settings.body_force[axis] = Table{{0.0, 1.0}, {0.0, weight}};
@@ -215,7 +215,7 @@ TEST_CASE("quasi-static: a step that pushes points through a wall is halved, the
   CHECK(block.state() == before);
   Block patient;
   patient.settings = block.settings;
-  patient.settings.largest_halvings = 6;
+  patient.settings.max_cutbacks = 6;
   const StepReport report = patient.start().advance({0.0, 1.0, 0});
   CHECK(report.accepted < 1.0);
   CHECK(report.accepted > 0.0);
@@ -227,10 +227,11 @@ TEST_CASE("quasi-static: an indefinite matrix is refused") {
   const Grid<2> grid(Vec<2>(-1.0, -1.0), Vec<2>(5.0, 4.0), 1.0);
   fill_clipped(points, grid, Box{{0.999, 0.0}, {4.0, 3.0}}, 2);
   QuasiStaticSettings settings;
-  settings.wall_form = WallForm::nitsche;
+  settings.enforcement = Enforcement::nitsche;
   settings.gap_bandwidth = 1.0;
-  settings.ghost = 0.0;
-  settings.walls = {{"left", HeldMotion::fixed, {{}, false, {{0.999, 3.0}, {0.999, 0.0}}, {}}, {}}};
+  settings.ghost_penalty = 0.0;
+  settings.supports = {
+      {"left", HeldMotion::fixed, {{}, false, {{0.999, 3.0}, {0.999, 0.0}}, {}}, {}}};
   QuasiStatic<2> physics(points, grid, ShapeFunction::linear, {elastic}, settings);
   CHECK_THROWS_WITH(physics.advance({0.0, 1.0, 0}),
                     Contains("not positive definite") && Contains("wall 'left'"));
@@ -241,7 +242,7 @@ TEST_CASE("quasi-static: settings out of range are refused") {
   block.settings.bandwidth = -1.0;
   CHECK_THAT(block.refusal(), Contains("bandwidth"));
   Block constant;
-  constant.settings.walls[0].displacement = {0.5};
+  constant.settings.supports[0].displacement = {0.5};
   CHECK_THAT(constant.refusal(), Contains("moves nothing"));
   Block bspline(ShapeFunction::bspline);
   CHECK_THAT(bspline.refusal(), Contains("bspline"));

@@ -10,7 +10,7 @@ using namespace lapilli::test;
 
 namespace {
 
-double shear_error(double left, const WallScheme& scheme, double ghost) {
+double shear_error(double left, const SupportScheme& scheme, double ghost) {
   const Corners c = Rectangle::turned(0.0, {left, 0.0}, 100.0, 100.0).corners();
   LinearProblem problem(Grid<2>({0.0, 0.0}, {200.0, 100.0}, 100.0), polygon(c), 20);
   problem.solve({{{c[3], c[0]}, HeldMotion::fixed},
@@ -35,7 +35,7 @@ TEST_CASE("simple shear: slivers and walls on nodes do not matter") {
                       99.999, 99.999999, 100.0}) {
     INFO("wall at " << left << " mm");
     CHECK(shear_error(left, literal_scheme, 0.0) <= 2e-8);
-    CHECK(shear_error(left, WallScheme::of(WallForm::mean_gap, 1e-6, 0.05), 0.01) <= 2e-8);
+    CHECK(shear_error(left, SupportScheme::of(Enforcement::mean_gap, 1e-6, 0.05), 0.01) <= 2e-8);
     CHECK(shear_error(left, default_scheme, 0.01) <= 2e-8);
   }
 }

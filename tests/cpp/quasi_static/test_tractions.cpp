@@ -28,7 +28,7 @@ struct PulledSquare {
       fill_plain(points, grid, polygon(square.corners()), 2);
     }
     const Corners c = square.corners();
-    settings.walls = {{"base", HeldMotion::fixed, {{}, false, numbers({c[0], c[1]}), {}}, {}}};
+    settings.supports = {{"base", HeldMotion::fixed, {{}, false, numbers({c[0], c[1]}), {}}, {}}};
     settings.tractions = {{"pull", {{}, false, numbers({c[2], c[3]}), {}}, {1e-3, 2e-3}}};
     physics = std::make_unique<QuasiStatic<2>>(points, grid, shape_function, std::vector{elastic},
                                                settings);
@@ -50,8 +50,9 @@ double shortening(bool as_pressure, double load, int steps, ShapeFunction shape_
   const double height = 9.7;
   fill_clipped(points, grid, Box{{0.2, 0.3}, {3.4, 0.3 + height}}, 2);
   QuasiStaticSettings settings;
-  settings.walls = {{"base", HeldMotion::roller, {{}, false, {{0.2, 0.3}, {3.4, 0.3}}, {}}, {}},
-                    {"left", HeldMotion::roller, {{}, false, {{0.2, 11.0}, {0.2, 0.3}}, {}}, {}}};
+  settings.supports = {
+      {"base", HeldMotion::roller, {{}, false, {{0.2, 0.3}, {3.4, 0.3}}, {}}, {}},
+      {"left", HeldMotion::roller, {{}, false, {{0.2, 11.0}, {0.2, 0.3}}, {}}, {}}};
   TractionSettings top{"top", {{}, false, {{3.4, 10.0}, {0.2, 10.0}}, {}}, {}};
   const Table ramp{{0.0, 1.0}, {0.0, load}};
   if (as_pressure) {
@@ -85,7 +86,7 @@ TEST_CASE("tractions arrive in full on surfaces at any angle and with any fill")
         const PulledSquare pulled(degrees, clipped, shape);
         const Vec<2> load(6.3e-3, 12.6e-3);
         INFO(degrees << " degrees, clipped " << clipped);
-        CHECK((pulled.physics->wall_forces()[0] + load).norm() < 1e-9 * load.norm());
+        CHECK((pulled.physics->support_forces()[0] + load).norm() < 1e-9 * load.norm());
       }
     }
   }
@@ -111,7 +112,8 @@ TEST_CASE("a traction that cannot reach the material is refused") {
     const Grid<2> grid(Vec<2>(-2.0, -2.0), Vec<2>(8.0, 8.0), 1.0);
     fill_clipped(points, grid, Box{{0.2, 0.2}, {4.4, 4.4}}, 2);
     QuasiStaticSettings settings;
-    settings.walls = {{"base", HeldMotion::fixed, {{}, false, {{0.2, 0.2}, {4.4, 0.2}}, {}}, {}}};
+    settings.supports = {
+        {"base", HeldMotion::fixed, {{}, false, {{0.2, 0.2}, {4.4, 0.2}}, {}}, {}}};
     settings.tractions = {{"pull", {{}, false, std::move(line), {}}, {0.0, 1.0}}};
     try {
       QuasiStatic<2>(points, grid, ShapeFunction::linear, {elastic}, settings);
@@ -132,11 +134,11 @@ TEST_CASE("a traction on the surface of a shape ends where the body ends") {
   const Box body{{0.2, 0.2}, {4.4, 4.4}};
   fill_clipped(points, grid, body, 2);
   QuasiStaticSettings settings;
-  settings.walls = {{"base", HeldMotion::fixed, {{}, false, {{0.2, 0.2}, {4.4, 0.2}}, {}}, {}}};
+  settings.supports = {{"base", HeldMotion::fixed, {{}, false, {{0.2, 0.2}, {4.4, 0.2}}, {}}, {}}};
   settings.tractions = {{"top", {HalfSpace{{0.0, 4.4}, {0.0, 1.0}}, true, {}, {}}, {0.0, 1.0}}};
   QuasiStatic<2> physics(points, grid, ShapeFunction::linear, {elastic}, settings, {body});
   physics.advance({0.0, 1.0, 0});
-  CHECK(physics.wall_forces()[0][1] == Approx(-4.2).epsilon(2e-3));
+  CHECK(physics.support_forces()[0][1] == Approx(-4.2).epsilon(2e-3));
 }
 
 TEST_CASE("a failed step leaves the reset of its grid undone") {
@@ -145,12 +147,12 @@ TEST_CASE("a failed step leaves the reset of its grid undone") {
   const Grid<2> grid(Vec<2>(-1.0, -1.0), Vec<2>(4.0, 5.0), 1.0);
   fill_clipped(points, grid, Box{{0.2, 0.2}, {2.4, 3.4}}, 2);
   QuasiStaticSettings settings;
-  settings.largest_halvings = 0;
-  settings.walls = {{"base", HeldMotion::fixed, {{}, false, {{0.2, 0.2}, {2.4, 0.2}}, {}}, {}},
-                    {"top",
-                     HeldMotion::fixed,
-                     {{}, false, {{2.4, 3.4}, {0.2, 3.4}}, {}},
-                     {Value(0.0), Table{{0.0, 0.5, 1.0}, {0.0, 0.2, 9.0}}}}};
+  settings.max_cutbacks = 0;
+  settings.supports = {{"base", HeldMotion::fixed, {{}, false, {{0.2, 0.2}, {2.4, 0.2}}, {}}, {}},
+                       {"top",
+                        HeldMotion::fixed,
+                        {{}, false, {{2.4, 3.4}, {0.2, 3.4}}, {}},
+                        {Value(0.0), Table{{0.0, 0.5, 1.0}, {0.0, 0.2, 9.0}}}}};
   QuasiStatic<2> physics(points, grid, ShapeFunction::gimp, {elastic}, settings);
   physics.advance({0.0, 0.5, 0});
   Archive before, after;

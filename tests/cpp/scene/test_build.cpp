@@ -28,11 +28,11 @@ TEST_CASE("a built scene runs to its end and keeps its heat") {
     REQUIRE(value >= -1e-9);
     REQUIRE(value <= 1.0 + 1e-9);
   }
-  const Ledger heat = simulation->ledgers().at(0);
+  const Balance heat = simulation->balances().at(0);
   CHECK(std::abs(heat.residual()) < 1e-12);
   // Convection of at most 1 W/m2 on 37.7 m of rim for 1 s.
-  CHECK(heat.taken_in() > 10.0);
-  CHECK(heat.taken_in() < 37.7);
+  CHECK(heat.supplied() > 10.0);
+  CHECK(heat.supplied() < 37.7);
 }
 
 TEST_CASE("what only a built scene can show is named with its line") {

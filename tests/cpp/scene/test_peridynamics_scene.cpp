@@ -31,7 +31,7 @@ conductivity = 1
 kind = "newtonian"
 density = 1
 viscosity = 0.71
-expansion = 1
+thermal_expansion = 1
 reference_temperature = 0.5
 [peridynamics.heat]
 [peridynamics.flow]
@@ -96,14 +96,14 @@ TEST_CASE("a scene of heat alone has no velocity and needs no fluid") {
   std::string text = replaced(cavity_scene, "[peridynamics.flow]\ngravity = [0, -7100]\n", "");
   text = replaced(text,
                   "[[bodies.material]]\nkind = \"newtonian\"\ndensity = 1\nviscosity = 0.71\n"
-                  "expansion = 1\nreference_temperature = 0.5\n",
+                  "thermal_expansion = 1\nreference_temperature = 0.5\n",
                   "");
   const auto simulation = build(scene_of(text));
   simulation->run_until(0.01);
   for (const Field& field : simulation->fields()) {
     CHECK(field.name != "velocity");
   }
-  CHECK(std::abs(simulation->ledgers().at(0).residual()) < 1e-12);
+  CHECK(std::abs(simulation->balances().at(0).residual()) < 1e-12);
 }
 
 TEST_CASE("mistakes in a peridynamic scene are named with place and number") {
@@ -120,8 +120,8 @@ TEST_CASE("mistakes in a peridynamic scene are named with place and number") {
              Contains("[peridynamics.heat] instead"));
   CHECK_THAT(refusal("gravity = [0, -7100]", "gravity = [0, 0, -7100]"),
              Contains("peridynamics.flow.gravity has 3 numbers"));
-  CHECK_THAT(refusal("expansion = 1\n", ""),
-             Contains("peridynamics.flow.gravity does nothing") && Contains("an expansion"));
+  CHECK_THAT(refusal("thermal_expansion = 1\n", ""),
+             Contains("peridynamics.flow.gravity does nothing") && Contains("a thermal_expansion"));
   CHECK_THAT(refusal("temperature = 0.5\n",
                      "temperature = 0.5\nmotion = {kind = \"rotation\", "
                      "revolutions_per_second = 1}\n"),

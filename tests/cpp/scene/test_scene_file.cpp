@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "lapilli/core/require.hpp"
 #include "lapilli/scene/scene_file.hpp"
 
 using namespace lapilli;
@@ -19,7 +20,7 @@ cell = 0.1
 shape = {kind = "annulus", inner = 1, outer = 5}
 material = {kind = "thermal", density = 1, specific_heat = 1, conductivity = 1}
 [heat]
-transfer = "kept"
+transfer = "nodal"
 [[heat.boundaries]]
 kind = "convection"
 coefficient = 1
@@ -54,7 +55,7 @@ TEST_CASE("a scene is read into its structs") {
   CHECK(annulus.outer == 5.0);
   CHECK(std::get<Thermal>(scene.bodies[0].material.at(0)).conductivity == SymmetricTensor(1.0));
   REQUIRE(scene.heat);
-  CHECK(scene.heat->transfer == HeatTransfer::kept);
+  CHECK(scene.heat->transfer == HeatTransfer::nodal);
   const auto& convection = std::get<Convection>(scene.heat->boundaries.at(0));
   CHECK(convection.ambient.at(0.5) == 1.5);
   CHECK_FALSE(scene.time.step);
@@ -90,9 +91,9 @@ TEST_CASE("a mistake names file, line, column, key, and what is allowed") {
       Mistake{"[-5.5, -5.5]", "[1, true]", "grid.lower[1] must be a number in m, got true"},
       Mistake{"[-5.5, -5.5]", "1", "grid.lower must be a list, got 1"},
       Mistake{
-          "\"kept\"", "\"kep\"",
-          "ring.toml:11:12: heat.transfer knows no 'kep'; did you mean 'kept'? allowed: auto, "},
-      Mistake{"\"kept\"", "1", "heat.transfer must be one of auto, kept"},
+          "\"nodal\"", "\"nodl\"",
+          "ring.toml:11:12: heat.transfer knows no 'nodl'; did you mean 'nodal'? allowed: auto, "},
+      Mistake{"\"nodal\"", "1", "heat.transfer must be one of auto, nodal"},
       Mistake{"\"annulus\"", "\"anulus\"",
               "bodies[0].shape.kind knows no 'anulus'; did you mean 'annulus'"},
       Mistake{"kind = \"annulus\", ", "", "bodies[0].shape.kind is missing: which of box"},
@@ -103,7 +104,7 @@ TEST_CASE("a mistake names file, line, column, key, and what is allowed") {
       Mistake{"[heat]", "[hat]", "ring.toml:10:2: hat is no known key; did you mean 'heat'"},
       Mistake{"end = 10", "end = 10\nstep = \"fast\"",
               "time.step must be a number in s or \"auto\", got the text \"fast\""},
-      Mistake{"end = 10", "end = 10\nsteps = 2.5", "time.steps must be a whole number, got 2.5"},
+      Mistake{"end = 10", "end = 10\nsteps = 2.5", "time.steps must be an integer, got 2.5"},
       Mistake{"cell = 0.1", "cell = ", "ring.toml:6:8: no valid TOML: "});
   const std::string message = error_of(replaced(ring, mistake.from, mistake.to));
   CHECK_THAT(message, Contains(mistake.message));
@@ -113,13 +114,13 @@ TEST_CASE("a mistake names file, line, column, key, and what is allowed") {
 TEST_CASE("all mistakes of a file are told at once, each with its line") {
   std::string text = replaced(ring, "cell = 0.1", "cel = 0.1");
   text = replaced(text, "outer = 5", "outer = -5");
-  text = replaced(text, "\"kept\"", "\"kep\"");
+  text = replaced(text, "\"nodal\"", "\"nodl\"");
   text = replaced(text, "end = 10", "end = \"soon\"");
   const std::string all = error_of(text);
   CAPTURE(all);
   CHECK(std::count(all.begin(), all.end(), '\n') == 3);
   for (const char* one : {"ring.toml:6:1: grid.cel is no known key",
-                          "ring.toml:8:", "ring.toml:11:12: heat.transfer knows no 'kep'",
+                          "ring.toml:8:", "ring.toml:11:12: heat.transfer knows no 'nodl'",
                           "ring.toml:17:7: time.end must be a number in s"}) {
     CHECK_THAT(all, Contains(one));
   }
@@ -140,6 +141,30 @@ TEST_CASE("a key that was renamed names its successor") {
   const std::string text =
       replaced(ring, "[heat]\n", "[[monitors]]\nname = \"mid\"\nposition = [3, 0]\n[heat]\n");
   CHECK_THAT(error_of(text), Contains("ring.toml:10:3: monitors is called 'probes' now"));
+
+  struct Renamed {
+    const char *heading, *line, *message;
+  };
+  const auto renamed = GENERATE(values<Renamed>({
+      {"[momentum]", "", "momentum is called 'dynamics' now"},
+      {"[[dynamics.walls]]", "kind = \"no_slip\"\nface = \"y_lower\"",
+       "dynamics.walls is called 'grid_boundaries' now"},
+      {"[dynamics]", "step_safety = 0.5", "dynamics.step_safety is called 'courant' now"},
+      {"[dynamics]", "pic_share = 0.1", "dynamics.pic_share is called 'pic_fraction' now"},
+      {"[[quasi_static.walls]]", "kind = \"fixed\"", "quasi_static.walls is called 'supports' now"},
+      {"[quasi_static]", "wall_form = \"nitsche\"",
+       "quasi_static.wall_form is called 'enforcement' now"},
+      {"[quasi_static]", "ghost = 0.1", "quasi_static.ghost is called 'ghost_penalty' now"},
+      {"[quasi_static]", "largest_halvings = 3",
+       "quasi_static.largest_halvings is called 'max_cutbacks' now"},
+  }));
+  CHECK_THAT(error_of(replaced(ring, "[heat]\n",
+                               message(renamed.heading, "\n", renamed.line, "\n[heat]\n"))),
+             Contains(renamed.message));
+  CHECK_THAT(error_of(replaced(ring, "\"nodal\"", "\"kept\"")),
+             Contains("heat.transfer knows no 'kept'; it is called 'nodal' now"));
+  CHECK_THAT(error_of(replaced(ring, "[heat]\n", "[heat]\nstepping = \"theta\"\n")),
+             Contains("heat.stepping is called 'time_integration' now"));
 }
 
 TEST_CASE("files that are none are named") {

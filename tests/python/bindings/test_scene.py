@@ -126,7 +126,7 @@ def test_set_takes_python_values_by_path(ring: lp.Scene) -> None:
         ("grid.cell", -1, "above 0"),
         ("grid.cel", 1, "cell"),
         ("bodies[1].clip", True, "no entry 1"),
-        ("momentum.pic_share", 0.1, "absent"),
+        ("dynamics.pic_fraction", 0.1, "absent"),
     ):
         with pytest.raises((ValueError, AttributeError), match=says):
             ring.set(path, value)
@@ -153,7 +153,12 @@ def test_a_subclass_is_refused_not_sliced() -> None:
         pass
 
     sand = Sand(
-        density=1, youngs_modulus=1, poissons_ratio=0.3, friction=30, dilation=0, cohesion=0
+        density=1,
+        youngs_modulus=1,
+        poissons_ratio=0.3,
+        friction_angle=30,
+        dilatancy_angle=0,
+        cohesion=0,
     )
     with pytest.raises(TypeError, match="must be"):
         lp.Body(shape=lp.Disk(radius=1), material=sand)
@@ -173,5 +178,5 @@ def test_reports_show_themselves(ring: lp.Scene) -> None:
     assert repr(simulation.step()).startswith("<step of ")
     result = lp.run(ring, progress=False)
     assert repr(result.summary).startswith("<finished at 1 s after ")
-    assert result.ledger["heat"] == result.ledger["heat"]
-    assert result.ledger["heat"] != 3
+    assert result.balance["heat"] == result.balance["heat"]
+    assert result.balance["heat"] != 3

@@ -50,7 +50,7 @@ def largest(name: str) -> Quantity:
 
 def supplied(name: str) -> Quantity:
     """What came in of a conserved quantity."""
-    return lambda s: next(one for one in s.ledger() if one.quantity == name).taken_in
+    return lambda s: next(one for one in s.balance() if one.quantity == name).supplied
 
 
 def number(name: str) -> Quantity:

@@ -76,11 +76,11 @@ EFFECTS: dict[str, Effect] = {
     "Elastic.poissons_ratio": Effect(
         P, "bodies[0].material.poissons_ratio", 0.3, 0.1, STRESS, "!="
     ),
-    "MohrCoulomb.friction": Effect(
-        scenes.soil_block, "bodies[0].material[0].friction", 20.0, 40.0, STRESS, "!="
+    "MohrCoulomb.friction_angle": Effect(
+        scenes.soil_block, "bodies[0].material[0].friction_angle", 20.0, 40.0, STRESS, "!="
     ),
-    "MohrCoulomb.dilation": Effect(
-        scenes.soil_block, "bodies[0].material[0].dilation", 0.0, 15.0, STRESS, "!="
+    "MohrCoulomb.dilatancy_angle": Effect(
+        scenes.soil_block, "bodies[0].material[0].dilatancy_angle", 0.0, 15.0, STRESS, "!="
     ),
     "MohrCoulomb.cohesion": Effect(
         scenes.soil_block, "bodies[0].material[0].cohesion", 50.0, 2000.0, STRESS, "!="
@@ -91,8 +91,8 @@ EFFECTS: dict[str, Effect] = {
     "Newtonian.viscosity": Effect(
         W, "bodies[0].material[1].viscosity", 0.7, 2.0, largest("velocity"), "<"
     ),
-    "Newtonian.expansion": Effect(
-        W, "bodies[0].material[1].expansion", 0.1, 0.2, largest("velocity"), ">"
+    "Newtonian.thermal_expansion": Effect(
+        W, "bodies[0].material[1].thermal_expansion", 0.1, 0.2, largest("velocity"), ">"
     ),
     "Newtonian.reference_temperature": Effect(
         W, "bodies[0].material[1].reference_temperature", 0.5, 0.2, VELOCITY, "!="
@@ -102,14 +102,16 @@ EFFECTS: dict[str, Effect] = {
     "Heat.transfer": Effect(
         scenes.turning_disk, "heat.transfer", "affine", "pic", TEMPERATURE, "!="
     ),
-    "Heat.stepping": Effect(D, "heat.stepping", "explicit", "theta", TEMPERATURE, "!="),
+    "Heat.time_integration": Effect(
+        D, "heat.time_integration", "explicit", "implicit", TEMPERATURE, "!="
+    ),
     "Heat.theta": Effect(v.theta_disk, "heat.theta", 0.5, 1.0, TEMPERATURE, "!="),
     "Heat.blend": Effect(scenes.turning_disk, "heat.blend", 4.0, 40.0, TEMPERATURE, "!="),
     "Heat.normal_smoothing": Effect(D, "heat.normal_smoothing", 2, 0, supplied("heat"), "!="),
     "Heat.surface_fraction": Effect(
         v.paper_disk, "heat.surface_fraction", 0.55, 0.9, supplied("heat"), "!="
     ),
-    "Heat.implicit_exchange": Effect(D, "heat.implicit_exchange", True, False, TEMPERATURE, "!="),
+    "Heat.implicit_robin": Effect(D, "heat.implicit_robin", True, False, TEMPERATURE, "!="),
     "Heat.corner_fit": Effect(v.box_plate, "heat.corner_fit", True, False, supplied("heat"), "!="),
     "Flux.value": Effect(
         v.flux_disk, "heat.boundaries[0].value", 1.0, 2.5, supplied("heat"), "x", 2.5
@@ -142,7 +144,7 @@ EFFECTS: dict[str, Effect] = {
     "Heat.temperature_unit": Effect(
         scenes.glowing_disk, "heat.temperature_unit", "kelvin", "celsius", supplied("heat"), "!="
     ),
-    "Temperature.value": Effect(
+    "PrescribedTemperature.value": Effect(
         v.held_disk, "heat.boundaries[0].value", 1.0, 2.0, supplied("heat"), "x", 2.0
     ),
     # motion
@@ -158,20 +160,25 @@ EFFECTS: dict[str, Effect] = {
         scenes.turning_disk, "bodies[0].motion.center", (0, 0), (0.2, 0), centre(1), "!="
     ),
     # momentum
-    "Momentum.gravity": Effect(F, "momentum.gravity", (0, -10), (1, -10), centre(0), ">"),
-    "Momentum.transfer": Effect(F, "momentum.transfer", "flip", "apic", VELOCITY, "!="),
-    "Momentum.blend_rate": Effect(F, "momentum.blend_rate", 4.0, 40.0, VELOCITY, "!="),
-    "Momentum.pic_share": Effect(v.flip_block, "momentum.pic_share", 0.05, 0.5, VELOCITY, "!="),
-    "Momentum.stress_update": Effect(F, "momentum.stress_update", "musl", "usl", VELOCITY, "!="),
-    "Momentum.step_safety": Effect(
-        F, "momentum.step_safety", 0.5, 0.25, step_size, "x", 0.5, steps=False
+    "Dynamics.gravity": Effect(F, "dynamics.gravity", (0, -10), (1, -10), centre(0), ">"),
+    "Dynamics.transfer": Effect(F, "dynamics.transfer", "flip", "apic", VELOCITY, "!="),
+    "Dynamics.blend_rate": Effect(F, "dynamics.blend_rate", 4.0, 40.0, VELOCITY, "!="),
+    "Dynamics.pic_fraction": Effect(
+        v.flip_block, "dynamics.pic_fraction", 0.05, 0.5, VELOCITY, "!="
     ),
-    "FrictionalWall.coefficient": Effect(
-        F, "momentum.walls[0].coefficient", 0.0, 0.5, number("momentum/wall_friction"), ">"
+    "Dynamics.stress_update": Effect(F, "dynamics.stress_update", "musl", "usl", VELOCITY, "!="),
+    "Dynamics.courant": Effect(F, "dynamics.courant", 0.5, 0.25, step_size, "x", 0.5, steps=False),
+    "FrictionalBoundary.coefficient": Effect(
+        F,
+        "dynamics.grid_boundaries[0].coefficient",
+        0.0,
+        0.5,
+        number("dynamics/wall_friction"),
+        ">",
     ),
     "Pressure.value": Effect(
         v.loaded_block(lp.Pressure(value=10.0)),
-        "momentum.boundaries[0].value",
+        "dynamics.boundaries[0].value",
         10.0,
         1000.0,
         STRESS,
@@ -179,7 +186,7 @@ EFFECTS: dict[str, Effect] = {
     ),
     "Traction.value": Effect(
         v.loaded_block(lp.Traction(value=(10.0, 0.0))),
-        "momentum.boundaries[0].value",
+        "dynamics.boundaries[0].value",
         (10.0, 0.0),
         (1000.0, 0.0),
         centre(0),
@@ -187,30 +194,32 @@ EFFECTS: dict[str, Effect] = {
     ),
     "Traction.factor": Effect(
         v.loaded_block(lp.Traction(value=(500.0, 0.0))),
-        "momentum.boundaries[0].factor",
+        "dynamics.boundaries[0].factor",
         1.0,
         2.0,
         centre(0),
         ">",
     ),
     # quasi-static
-    "QuasiStatic.wall_form": Effect(
-        P, "quasi_static.wall_form", "mean-gap", "pointwise", DISPLACEMENT, "!="
+    "QuasiStatic.enforcement": Effect(
+        P, "quasi_static.enforcement", "mean-gap", "pointwise", DISPLACEMENT, "!="
     ),
     "QuasiStatic.bandwidth": Effect(P, "quasi_static.bandwidth", 1e-3, 1e-1, DISPLACEMENT, "!="),
     "QuasiStatic.gap_bandwidth": Effect(
         P, "quasi_static.gap_bandwidth", 0.05, 0.5, DISPLACEMENT, "!="
     ),
-    "QuasiStatic.ghost": Effect(P, "quasi_static.ghost", 0.01, 0.5, DISPLACEMENT, "!="),
+    "QuasiStatic.ghost_penalty": Effect(
+        P, "quasi_static.ghost_penalty", 0.01, 0.5, DISPLACEMENT, "!="
+    ),
     "QuasiStatic.body_force": Effect(
         P, "quasi_static.body_force", (0, 0), (0, -1e4), DISPLACEMENT, "!="
     ),
     "QuasiStatic.update_volumes": Effect(
         P, "quasi_static.update_volumes", True, False, volume, "!="
     ),
-    "ImplicitWall.displacement": Effect(
+    "Support.displacement": Effect(
         P,
-        "quasi_static.walls[1].displacement",
+        "quasi_static.supports[1].displacement",
         (0, ((0, 1), (0, -0.02))),
         (0, ((0, 1), (0, -0.01))),
         largest("displacement"),
@@ -317,12 +326,17 @@ EFFECTS: dict[str, Effect] = {
     "PeridynamicFlow.zero_energy": Effect(
         v.zero_energy_fluid, "peridynamics.flow.zero_energy", 1.0, 2.0, VELOCITY, "!="
     ),
-    "PeridynamicHeat.dissipation": Effect(
-        v.rubbing_fluid, "peridynamics.heat.dissipation", False, True, mean("temperature"), ">"
+    "PeridynamicHeat.viscous_dissipation": Effect(
+        v.rubbing_fluid,
+        "peridynamics.heat.viscous_dissipation",
+        False,
+        True,
+        mean("temperature"),
+        ">",
     ),
-    "Geostatic.lateral": Effect(
+    "Geostatic.k0": Effect(
         v.resting_block,
-        "bodies[0].geostatic.lateral",
+        "bodies[0].geostatic.k0",
         0.5,
         1.0,
         lambda s: float(s["stress"][:, 0].mean()),
@@ -375,8 +389,8 @@ EFFECTS: dict[str, Effect] = {
         2.0,
         0.01,
     ),
-    "ImplicitWall.kind": Effect(
-        P, "quasi_static.walls[1].kind", "roller", "fixed", DISPLACEMENT, "!="
+    "Support.kind": Effect(
+        P, "quasi_static.supports[1].kind", "roller", "fixed", DISPLACEMENT, "!="
     ),
     "Convection.region": Effect(
         D,
@@ -398,7 +412,7 @@ EFFECTS: dict[str, Effect] = {
         0.5,
         1e-2,
     ),
-    "Temperature.region": Effect(
+    "PrescribedTemperature.region": Effect(
         v.held_disk,
         "heat.boundaries[0].region",
         None,
@@ -408,7 +422,7 @@ EFFECTS: dict[str, Effect] = {
     ),
     "Pressure.region": Effect(
         v.loaded_block(lp.Pressure(value=1000.0)),
-        "momentum.boundaries[0].region",
+        "dynamics.boundaries[0].region",
         None,
         lp.Box(lower=(0, 0), upper=(1.5, 2)),
         centre(0),
@@ -416,7 +430,7 @@ EFFECTS: dict[str, Effect] = {
     ),
     "Traction.region": Effect(
         v.loaded_block(lp.Traction(value=(1000.0, 0.0))),
-        "momentum.boundaries[0].region",
+        "dynamics.boundaries[0].region",
         None,
         lp.Box(lower=(0, 0), upper=(1.5, 2)),
         centre(0),
@@ -425,25 +439,25 @@ EFFECTS: dict[str, Effect] = {
     "Translation.velocity": Effect(
         scenes.sliding_disk, "bodies[0].motion.velocity", (1, 0), (2, 0), centre(0), ">"
     ),
-    "NoSlipWall.face": Effect(
-        v.floating_block(lp.NoSlipWall),
-        "momentum.walls[0].face",
+    "NoSlipBoundary.face": Effect(
+        v.floating_block(lp.NoSlipBoundary),
+        "dynamics.grid_boundaries[0].face",
         "y_lower",
         "x_lower",
         VELOCITY,
         "!=",
     ),
-    "RollerWall.face": Effect(
-        v.floating_block(lp.RollerWall),
-        "momentum.walls[0].face",
+    "RollerBoundary.face": Effect(
+        v.floating_block(lp.RollerBoundary),
+        "dynamics.grid_boundaries[0].face",
         "y_lower",
         "x_lower",
         VELOCITY,
         "!=",
     ),
-    "FrictionalWall.face": Effect(
-        v.floating_block(lp.FrictionalWall),
-        "momentum.walls[0].face",
+    "FrictionalBoundary.face": Effect(
+        v.floating_block(lp.FrictionalBoundary),
+        "dynamics.grid_boundaries[0].face",
         "y_lower",
         "x_lower",
         VELOCITY,

@@ -41,7 +41,7 @@ def falling_block(**momentum: object) -> lp.Scene:
     """An elastic block that hits a wall."""
     settings = {
         "gravity": (1.0, -10.0),
-        "walls": [lp.FrictionalWall(face="y_lower", coefficient=0.2)],
+        "grid_boundaries": [lp.FrictionalBoundary(face="y_lower", coefficient=0.2)],
         **momentum,
     }
     return lp.Scene(
@@ -53,20 +53,20 @@ def falling_block(**momentum: object) -> lp.Scene:
                 velocity=(0.5, -1.0),
             )
         ],
-        momentum=lp.Momentum(**settings),
+        dynamics=lp.Dynamics(**settings),
         time=lp.Time(end=0.1),
     )
 
 
 def soil_block() -> lp.Scene:
     """A block of sand that yields under its weight and heats up."""
-    scene = falling_block(gravity=(0.0, -10.0), walls=[lp.NoSlipWall(face="y_lower")])
+    scene = falling_block(gravity=(0.0, -10.0), grid_boundaries=[lp.NoSlipBoundary(face="y_lower")])
     sand = lp.MohrCoulomb(
         density=1000,
         youngs_modulus=1e5,
         poissons_ratio=0.3,
-        friction=20.0,
-        dilation=0.0,
+        friction_angle=20.0,
+        dilatancy_angle=0.0,
         cohesion=50.0,
     )
     scene.bodies[0].material = [sand, lp.Thermal(density=1000, specific_heat=1, conductivity=1)]
@@ -77,8 +77,8 @@ def soil_block() -> lp.Scene:
 def pressed_block(**settings: object) -> lp.Scene:
     """A block between a support that does not fit the grid and one that comes down."""
     supports = [
-        lp.ImplicitWall(name="base", kind="fixed", line=[(0.03, 0.13), (1.13, 0.13)]),
-        lp.ImplicitWall(
+        lp.Support(name="base", kind="fixed", line=[(0.03, 0.13), (1.13, 0.13)]),
+        lp.Support(
             name="top",
             kind="roller",
             line=[(1.13, 1.17), (0.03, 1.17)],
@@ -93,7 +93,7 @@ def pressed_block(**settings: object) -> lp.Scene:
                 material=lp.Elastic(density=1000, youngs_modulus=1e6, poissons_ratio=0.3),
             )
         ],
-        quasi_static=lp.QuasiStatic(**{"walls": supports, **settings}),
+        quasi_static=lp.QuasiStatic(**{"supports": supports, **settings}),
         time=lp.Time(end=1.0, steps=2),
     )
 
@@ -112,7 +112,7 @@ def warm_fluid(**flow: object) -> lp.Scene:
         wall("floor", (-0.4, -0.4), (1.4, 0.0)),
         wall("lid", (-0.4, 1.0), (1.4, 1.4)),
     ]
-    water = lp.Newtonian(density=1, viscosity=0.7, expansion=0.1, reference_temperature=0.5)
+    water = lp.Newtonian(density=1, viscosity=0.7, thermal_expansion=0.1, reference_temperature=0.5)
     return lp.Scene(
         grid=lp.Grid(lower=(-0.4, -0.4), upper=(1.4, 1.4), cell=0.1),
         bodies=[

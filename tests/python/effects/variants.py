@@ -16,7 +16,7 @@ def automatic(scene: lp.Scene) -> lp.Scene:
 
 
 def theta_disk() -> lp.Scene:
-    return scenes.disk(stepping="theta")
+    return scenes.disk(time_integration="implicit")
 
 
 def auto_disk() -> lp.Scene:
@@ -24,7 +24,7 @@ def auto_disk() -> lp.Scene:
 
 
 def theta_of_both() -> lp.Scene:
-    scene = scenes.disk(stepping="theta")
+    scene = scenes.disk(time_integration="implicit")
     scene.bodies[0].source = 1.0
     return scene
 
@@ -38,7 +38,7 @@ def paper_disk() -> lp.Scene:
 
 
 def held_disk() -> lp.Scene:
-    return scenes.disk(boundaries=[lp.Temperature(value=1.0)])
+    return scenes.disk(boundaries=[lp.PrescribedTemperature(value=1.0)])
 
 
 def box_plate() -> lp.Scene:
@@ -106,15 +106,17 @@ def flip_block() -> lp.Scene:
 
 def resting_block() -> lp.Scene:
     """A block at rest below an even surface, with the stress of its weight."""
-    scene = scenes.falling_block(gravity=(0.0, -10.0), walls=[lp.NoSlipWall(face="y_lower")])
+    scene = scenes.falling_block(
+        gravity=(0.0, -10.0), grid_boundaries=[lp.NoSlipBoundary(face="y_lower")]
+    )
     scene.bodies[0].velocity = ()
-    scene.bodies[0].geostatic = lp.Geostatic(surface=(0, 1), normal=(0, 1), lateral=0.5)
+    scene.bodies[0].geostatic = lp.Geostatic(surface=(0, 1), normal=(0, 1), k0=0.5)
     return scene
 
 
 def expanding_block() -> lp.Scene:
     """A warm block that is free to expand."""
-    scene = scenes.falling_block(gravity=(), walls=[])
+    scene = scenes.falling_block(gravity=(), grid_boundaries=[])
     block = scene.bodies[0]
     block.shape = lp.Box(lower=(1, 0.5), upper=(2, 1.5))
     block.velocity = ()
@@ -150,7 +152,7 @@ def floating_block(wall: type) -> Callable[[], lp.Scene]:
     """A block without weight in the corner of two faces, moving towards both."""
 
     def scene() -> lp.Scene:
-        made = scenes.falling_block(gravity=(), walls=[wall(face="y_lower")])
+        made = scenes.falling_block(gravity=(), grid_boundaries=[wall(face="y_lower")])
         made.bodies[0].shape = lp.Box(lower=(0.25, 0.25), upper=(1, 1))
         made.bodies[0].velocity = (-0.5, -1.0)
         return made
@@ -161,7 +163,7 @@ def floating_block(wall: type) -> Callable[[], lp.Scene]:
 def pulled_block() -> lp.Scene:
     """A supported block with a traction on its upper face."""
     scene = scenes.pressed_block()
-    base = scene.quasi_static.walls[0]
+    base = scene.quasi_static.supports[0]
     pull = lp.SurfaceTraction(line=[(1.13, 1.17), (0.03, 1.17)], traction=(0, 100.0))
-    scene.quasi_static = lp.QuasiStatic(walls=[base], tractions=[pull])
+    scene.quasi_static = lp.QuasiStatic(supports=[base], tractions=[pull])
     return scene

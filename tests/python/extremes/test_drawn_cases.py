@@ -27,7 +27,7 @@ def strayed(scene: lp.Scene, steps: int) -> float:
 
 @settings(max_examples=25, deadline=None)
 @given(
-    transfer=st.sampled_from(["kept", "pic"]),
+    transfer=st.sampled_from(["nodal", "pic"]),
     exponent=exponents,
     rotation=st.floats(0.0, 90.0),
     jitter=st.floats(0.0, 0.25),
@@ -45,7 +45,7 @@ def test_convection_keeps_the_range(
 
 @settings(max_examples=25, deadline=None)
 @given(
-    transfer=st.sampled_from(["kept", "flip", "pic", "tpic", "affine"]),
+    transfer=st.sampled_from(["nodal", "flip", "pic", "tpic", "affine"]),
     conductivity=exponents,
     capacity=exponents,
 )

@@ -21,7 +21,7 @@ def test_automatic_step_is_stable_and_steps_past_the_limit_are_refused() -> None
 
 
 def test_soil_is_stable_at_its_automatic_step_and_refused_beyond_its_limit() -> None:
-    case = next(case for case in all_cases(("momentum",)) if case.name == "gimp, musl")
+    case = next(case for case in all_cases(("dynamics",)) if case.name == "gimp, musl")
     rows = {row.factor: row for row in measure(case, (0.5, 1.0, 4.0))}
     assert rows[0.5].outcome is rows[1.0].outcome is Outcome.STABLE
     assert rows[4.0].outcome is Outcome.REFUSED
@@ -40,7 +40,7 @@ def test_every_transfer_has_cases_and_only_moving_ones_swirl() -> None:
     cases = list(all_cases())
     assert len({(case.transfer, case.name) for case in cases}) == len(cases)
     assert {case.transfer for case in cases} == set(TRANSFERS)
-    assert not any(case.transfer == "kept" and "swirl" in case.name for case in cases)
+    assert not any(case.transfer == "nodal" and "swirl" in case.name for case in cases)
 
 
 def test_command_rejects_an_unknown_transfer() -> None:

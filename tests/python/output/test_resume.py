@@ -50,7 +50,7 @@ def test_a_later_end_and_other_frames_are_the_same_problem(tmp_path):
     resumed = lp.run(scene(0.2), output, 0.02, progress=False, resume=True, threads=1)
     whole = lp.run(scene(0.2), progress=False)
     assert resumed.time == whole.time == 0.2
-    assert abs(resumed.ledger["heat"].residual) < 1e-9
+    assert abs(resumed.balance["heat"].residual) < 1e-9
 
 
 def test_another_image_under_the_same_name_is_refused(tmp_path):

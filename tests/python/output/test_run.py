@@ -44,10 +44,10 @@ def test_the_record_says_everything(drivers, tmp_path):
     assert record["point_steps_per_second"] == pytest.approx(speed)
     assert record["peak_memory_bytes"] > 1_000_000
     (physics,) = record["physics"]
-    (ledger,) = physics["ledgers"]
+    (balance,) = physics["balances"]
     # Sums of five numbers over some twenty steps: rounding of 1e-16 each.
-    assert abs(ledger["residual"]) < 1e-13
-    assert ledger["stored"] - ledger["initial"] == pytest.approx(ledger["entries"][0]["in"])
+    assert abs(balance["residual"]) < 1e-13
+    assert balance["stored"] - balance["initial"] == pytest.approx(balance["entries"][0]["in"])
     assert 0 < physics["diagnostics"]["hottest"] < 2
     told = history(tmp_path)
     assert len(told["time"]) == record["frames"]

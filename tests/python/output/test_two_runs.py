@@ -148,7 +148,7 @@ def test_objects_without_init_are_errors(ring):
         lambda: len(simulation),
         lambda: len(_core.Points.__new__(_core.Points)),
         lambda: lp.Table.__new__(lp.Table).times,
-        lambda: _core.Ledger.__new__(_core.Ledger),
+        lambda: _core.Balance.__new__(_core.Balance),
         lambda: _core.FrameReader.__new__(_core.FrameReader).times,
     ):
         with pytest.raises((TypeError, RuntimeError)):

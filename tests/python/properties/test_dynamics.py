@@ -71,7 +71,7 @@ def impact(seed: int, frame: Frame) -> dict[str, Any]:
             cell=0.1 * frame.length,
         ),
         bodies=bodies,
-        momentum=lp.Momentum(step_safety=frame.safety),
+        dynamics=lp.Dynamics(courant=frame.safety),
         time=lp.Time(end=end * frame.time),
     )
     simulation = lp.Simulation(scene)

@@ -117,10 +117,10 @@ def test_a_flux_wall_gives_its_flux_times_the_area_it_shares(seed: int):
     simulation = lp.Simulation(block(lp.Box(lower=tuple(lower), upper=tuple(upper)), cell, [wall]))
     simulation.run_until(0.05)
     shared = min(ends[1], upper[1]) - max(ends[0], lower[1])
-    ledger = simulation.ledger()[0]
+    balance = simulation.balance()[0]
     given = flux * shared * 0.05
-    assert ledger.entries["wall hot"] == pytest.approx(given, abs=flux * 0.05 * 2 * cell / 128)
-    assert abs(ledger.residual) < 1e-12
+    assert balance.entries["wall hot"] == pytest.approx(given, abs=flux * 0.05 * 2 * cell / 128)
+    assert abs(balance.residual) < 1e-12
 
 
 def test_a_disk_warms_as_it_should_and_converges():
@@ -143,7 +143,7 @@ def test_a_disk_warms_as_it_should_and_converges():
         body = lp.Disk(center=(0.013, 0.027), radius=radius)
         simulation = lp.Simulation(block(body, cell, walls))
         simulation.run_until(time)
-        taken = simulation.ledger()[0].entries["wall rim"] / (math.pi * radius**2)
+        taken = simulation.balance()[0].entries["wall rim"] / (math.pi * radius**2)
         errors.append(abs(taken / exact - 1.0))
     assert errors[1] < 4e-3
     assert math.log2(errors[0] / errors[1]) > 1.5

@@ -75,7 +75,11 @@ def drawn(seed):
         ),
         "box": lambda: lp.Box(lower=list(-scale * half), upper=list(scale * half)),
     }[kind]()
-    law = lp.Temperature(value=1.0) if held else lp.Convection(coefficient=coefficient, ambient=1.0)
+    law = (
+        lp.PrescribedTemperature(value=1.0)
+        if held
+        else lp.Convection(coefficient=coefficient, ambient=1.0)
+    )
     body = lp.Body(
         shape=shape,
         material=lp.Thermal(
@@ -94,7 +98,7 @@ def drawn(seed):
         time=lp.Time(end=end),
     )
     if rng.uniform() < 0.3:
-        scene = scene.set("heat.stepping=theta").set("time.steps=60")
+        scene = scene.set("heat.time_integration=implicit").set("time.steps=60")
 
     def exact(position):
         x = position - scale * centre
@@ -136,11 +140,11 @@ def drawn(seed):
 def test_drawn_bodies_take_up_their_heat(seed):
     scene, end, exact, cells, about = drawn(seed)
     simulation, low, high = simulate(scene, end)
-    ledger = simulation.ledger()[0]
+    balance = simulation.balance()[0]
     field, heat = exact(simulation["position"])
     bar = 0.01 if cells >= 12 else 0.02
-    assert abs(ledger.residual) <= 1e-12, about
-    assert abs((ledger.stored - ledger.initial) / heat - 1) <= bar, about
+    assert abs(balance.residual) <= 1e-12, about
+    assert abs((balance.stored - balance.initial) / heat - 1) <= bar, about
     assert np.sqrt(np.mean((simulation["temperature"] - field) ** 2)) <= bar, about
     assert low >= -0.02, about
     assert high <= 1.02, about

@@ -73,7 +73,7 @@ def filled(
                 cell=cell * unit,
             ),
             bodies=[lp.Body(shape=posed, material=SOLID, fill="exact")],
-            momentum=lp.Momentum(),
+            dynamics=lp.Dynamics(),
             time=lp.Time(end=1e-9),
         )
     )

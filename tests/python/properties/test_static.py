@@ -106,7 +106,7 @@ def draw_quadrilateral(rng: np.random.Generator) -> Drawn:
     direction = rng.normal(size=2)
     direction *= load / np.linalg.norm(direction)
     settings = lp.QuasiStatic(
-        walls=[lp.ImplicitWall(name="held", kind="fixed", line=rows(side[held]))]
+        supports=[lp.Support(name="held", kind="fixed", line=rows(side[held]))]
     )
     given: dict[str, object] = {}
     if kind == "traction":
@@ -145,9 +145,9 @@ def draw_bar(rng: np.random.Generator) -> Drawn:
     load = 1e-5 * elastic.young
     pull = pose.turn @ np.array([load, 0.0])
     settings = lp.QuasiStatic(
-        walls=[
-            lp.ImplicitWall(name="left", kind="roller", line=rows(corners[[3, 0]])),
-            lp.ImplicitWall(name="base", kind="roller", line=rows(corners[[0, 1]])),
+        supports=[
+            lp.Support(name="left", kind="roller", line=rows(corners[[3, 0]])),
+            lp.Support(name="base", kind="roller", line=rows(corners[[0, 1]])),
         ],
         tractions=[
             lp.SurfaceTraction(
@@ -179,9 +179,9 @@ def draw_ring(rng: np.random.Generator) -> Drawn:
     shape = lp.Intersection(shapes=[ring, lp.Polygon(vertices=rows(corner))])
     tips = pose.of([[inner, 0], [outer, 0], [0, inner], [0, outer]])
     settings = lp.QuasiStatic(
-        walls=[
-            lp.ImplicitWall(name="one", kind="roller", line=rows(tips[[0, 1]])),
-            lp.ImplicitWall(name="other", kind="roller", line=rows(tips[[3, 2]])),
+        supports=[
+            lp.Support(name="one", kind="roller", line=rows(tips[[0, 1]])),
+            lp.Support(name="other", kind="roller", line=rows(tips[[3, 2]])),
         ],
         tractions=[
             lp.SurfaceTraction(
@@ -214,10 +214,10 @@ def draw_column(rng: np.random.Generator) -> Drawn:
     weight = 1e-5 * elastic.confined / height
     down = pose.turn @ np.array([0.0, -weight])
     settings = lp.QuasiStatic(
-        walls=[
-            lp.ImplicitWall(name="left", kind="roller", line=rows(corners[[3, 0]])),
-            lp.ImplicitWall(name="base", kind="roller", line=rows(corners[[0, 1]])),
-            lp.ImplicitWall(name="right", kind="roller", line=rows(corners[[1, 2]])),
+        supports=[
+            lp.Support(name="left", kind="roller", line=rows(corners[[3, 0]])),
+            lp.Support(name="base", kind="roller", line=rows(corners[[0, 1]])),
+            lp.Support(name="right", kind="roller", line=rows(corners[[1, 2]])),
         ],
         body_force=[float(x) for x in down],
     )

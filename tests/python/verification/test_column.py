@@ -1,4 +1,4 @@
-"""Section 4.6 of Yu & Zhao 2026: few points a cell beside many, and the paper's operator."""
+"""Section 4.6 of Yu & Zhao 2026: few points per cell beside many, and the paper's operator."""
 
 from pathlib import Path
 

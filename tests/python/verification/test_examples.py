@@ -23,6 +23,6 @@ def test_scene_runs_and_keeps_its_heat(path):
     simulation = lp.Simulation(scene)
     for _ in range(3):
         simulation.step()
-    ledger = next(account for account in simulation.ledger() if account.quantity == "heat")
-    assert ledger.turnover > 0
-    assert abs(ledger.residual) <= 1e-12
+    balance = next(account for account in simulation.balance() if account.quantity == "heat")
+    assert balance.turnover > 0
+    assert abs(balance.residual) <= 1e-12

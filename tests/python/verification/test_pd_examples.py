@@ -18,6 +18,6 @@ def test_scene_runs_and_keeps_its_heat(path):
     simulation = lp.Simulation(lp.Scene.load(str(path)).set(f"grid.cell={cell}"))
     for _ in range(3):
         simulation.step()
-    (ledger,) = simulation.ledger()
-    assert ledger.turnover > 0
-    assert abs(ledger.residual) <= 1e-12 * max(1.0, abs(ledger.stored) / ledger.turnover)
+    (balance,) = simulation.balance()
+    assert balance.turnover > 0
+    assert abs(balance.residual) <= 1e-12 * max(1.0, abs(balance.stored) / balance.turnover)

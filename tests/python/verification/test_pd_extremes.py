@@ -36,7 +36,7 @@ def test_extreme_cavity_runs(name):
     temperature = simulation.by_id("temperature")
     assert np.all(np.isfinite(simulation.by_id("velocity")))
     assert -1e-9 <= temperature.min() <= temperature.max() <= 1 + 1e-9
-    assert abs(simulation.ledger()[0].residual) <= 1e-12
+    assert abs(simulation.balance()[0].residual) <= 1e-12
     numbers = simulation.diagnostics()
     assert numbers["flow/greatest_density_variation"] <= 0.1
     assert numbers["flow/least_density_variation"] >= -0.1

@@ -127,12 +127,12 @@ def test_a_cylinder_in_a_box_gives_what_the_box_takes():
     scene = lp.Scene.load(str(EXAMPLES / "cylinder.toml")).set("grid.cell=0.05")
     simulation = lp.Simulation(scene)
     simulation.run_until(0.1)
-    before = simulation.ledger()[0].entries
+    before = simulation.balance()[0].entries
     simulation.run_until(0.15)
-    ledger = simulation.ledger()[0]
-    given = (ledger.entries["wall cylinder"] - before["wall cylinder"]) / 0.05
-    taken = (before["wall box"] - ledger.entries["wall box"]) / 0.05
-    assert abs(ledger.residual) < 1e-12
+    balance = simulation.balance()[0]
+    given = (balance.entries["wall cylinder"] - before["wall cylinder"]) / 0.05
+    taken = (before["wall box"] - balance.entries["wall box"]) / 0.05
+    assert abs(balance.residual) < 1e-12
     # Points that pass a wall make its power flicker by a percent.
     assert math.isclose(given, taken, rel_tol=0.03)
     conduction = 2 * math.pi / math.log(0.54 / 0.2)

@@ -71,7 +71,9 @@ def test_heat_flux_inside():
 def test_implicit_steps_give_the_same_field():
     """50 steps of 0.02 s where 400 are the explicit limit: within the bar of the explicit error, to
     which large steps add one of 1e-4 in time."""
-    scene = changed(ring.ring_scene("convection", 0.1), "heat.stepping=theta", "time.step=0.02")
+    scene = changed(
+        ring.ring_scene("convection", 0.1), "heat.time_integration=implicit", "time.step=0.02"
+    )
     implicit = ring.error_of("convection", next(states(scene, [1.0])))
     assert implicit <= 2.6e-4
 

@@ -1,4 +1,4 @@
-"""Momentum as a user meets it: scenes from files and from Python, frames, resume."""
+"""Dynamics as a user meets it: scenes from files and from Python, frames, resume."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,13 +21,13 @@ def heap() -> lp.Scene:
                 shape=lp.Box(lower=(0, 0), upper=(1, 1)),
                 points_per_cell=9,
                 material=lp.MohrCoulomb(
-                    density=2000, youngs_modulus=1e6, poissons_ratio=0.3, friction=30
+                    density=2000, youngs_modulus=1e6, poissons_ratio=0.3, friction_angle=30
                 ),
             )
         ],
-        momentum=lp.Momentum(
+        dynamics=lp.Dynamics(
             gravity=(0, -9.81),
-            walls=[lp.RollerWall(face="x_lower"), lp.NoSlipWall(face="y_lower")],
+            grid_boundaries=[lp.RollerBoundary(face="x_lower"), lp.NoSlipBoundary(face="y_lower")],
         ),
         time=lp.Time(end=1.5),
     )
@@ -43,7 +43,7 @@ def test_a_block_falls_freely():
     scene = lp.Scene(
         grid=lp.Grid(lower=(0, 0), upper=(2, 6), cell=0.25),
         bodies=[block],
-        momentum=lp.Momentum(gravity=(0, -9.81)),
+        dynamics=lp.Dynamics(gravity=(0, -9.81)),
         time=lp.Time(end=0.7),
     )
     simulation = lp.Simulation(scene)
@@ -63,7 +63,7 @@ def test_run_out_of_the_example_lies_in_the_band_of_the_laws():
     simulation.run_until(2.0)
     run_out = np.quantile(simulation["position"][:, 0], 0.995) - 1.0  # 1.48 to 1.62
     assert 1.0 <= run_out / LUBE_2005.run_out(1.0) <= 1.5  # 1.47
-    energy = simulation.ledger()[0]
+    energy = simulation.balance()[0]
     assert energy.quantity == "energy"
     assert abs(energy.residual) < 0.01
 
@@ -100,8 +100,10 @@ def test_a_traction_pulls_a_bar():
                 material=lp.Elastic(density=1000, youngs_modulus=1e5, poissons_ratio=0),
             )
         ],
-        momentum=lp.Momentum(
-            walls=[lp.RollerWall(face=face) for face in ("x_lower", "y_lower", "y_upper")],
+        dynamics=lp.Dynamics(
+            grid_boundaries=[
+                lp.RollerBoundary(face=face) for face in ("x_lower", "y_lower", "y_upper")
+            ],
             boundaries=[pull],
         ),
         time=lp.Time(end=1.5),
@@ -156,7 +158,7 @@ def bent(angle: float, cell: float) -> Bent:
     scene = lp.Scene(
         grid=lp.Grid(lower=(-half, -half), upper=(half, half), cell=cell),
         bodies=[beam],
-        momentum=lp.Momentum(
+        dynamics=lp.Dynamics(
             boundaries=[
                 across("left", 1, -2, 0.01 - length / 2),
                 across("right", 1, length / 2 - 0.01, 2),
@@ -171,7 +173,7 @@ def bent(angle: float, cell: float) -> Bent:
     moved = (simulation.by_id("position") - start) @ axes
     along = np.abs((start @ axes)[:, 0])
     sink = moved[along > length / 2 - 0.1, 1].mean() - moved[along < 0.1, 1].mean()
-    given = [simulation.ledger()[1 + axis].entries for axis in (0, 1)]
+    given = [simulation.balance()[1 + axis].entries for axis in (0, 1)]
 
     def force(name: str) -> float:
         return float(axes[:, 1] @ [entries[name] for entries in given]) / (size * end / 2)

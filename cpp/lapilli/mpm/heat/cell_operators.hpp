@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lapilli/mpm/surface/cut_shape.hpp"
-#include "lapilli/mpm/weights.hpp"
+#include "lapilli/mpm/transfer/weights.hpp"
 
 namespace lapilli {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "lapilli/mpm/heat/heat_laws.hpp"
+#include "lapilli/mpm/heat/boundary_conditions.hpp"
 #include "lapilli/mpm/surface/divide_pieces.hpp"
 
 namespace lapilli {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "lapilli/geometry/random.hpp"
-#include "lapilli/mpm/heat/heat_in_shapes.hpp"
+#include "lapilli/mpm/heat/cut_cell_heat.hpp"
 
 namespace lapilli {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "lapilli/mpm/node_rows.hpp"
+#include "lapilli/algebra/node_rows.hpp"
 
 namespace lapilli {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lapilli/core/parallel.hpp"
-#include "lapilli/mpm/heat/heat_laws.hpp"
+#include "lapilli/mpm/heat/boundary_conditions.hpp"
 
 namespace lapilli {
 namespace {
@@ -29,7 +29,7 @@ Value in_frame(const Value& value, const Motion& motion, int dimension) {
 template <int Dim>
 HeatProblem<Dim> problem_in_frame(HeatProblem<Dim> problem, const Motion& motion) {
   for (HeatBoundary& law : problem.settings.boundaries) {
-    if (auto* flux = std::get_if<PrescribedFlux>(&law)) {
+    if (auto* flux = std::get_if<Flux>(&law)) {
       flux->value = in_frame(flux->value, motion, Dim);
     } else if (auto* convection = std::get_if<Convection>(&law)) {
       convection->coefficient = in_frame(convection->coefficient, motion, Dim);
@@ -57,7 +57,7 @@ bool HeatInBodyFrame<Dim>::suits(const HeatProblem<Dim>& problem) {
   const HeatSettings& settings = problem.settings;
   return problem.frame && is_rigid(*problem.frame) && settings.method == FluxMethod::virtual_flux &&
          (settings.transfer == HeatTransfer::automatic ||
-          settings.transfer == HeatTransfer::kept) &&
+          settings.transfer == HeatTransfer::nodal) &&
          std::all_of(
              settings.boundaries.begin(), settings.boundaries.end(), [&](const HeatBoundary& law) {
                const Shape* region = region_of(law);

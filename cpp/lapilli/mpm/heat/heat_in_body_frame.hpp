@@ -2,9 +2,9 @@
 
 #include <memory>
 
+#include "lapilli/geometry/rigid_motion.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
-#include "lapilli/mpm/rigid_motion.hpp"
-#include "lapilli/mpm/surface_view.hpp"
+#include "lapilli/mpm/surface/surface_view.hpp"
 
 namespace lapilli {
 
@@ -25,7 +25,7 @@ class HeatInBodyFrame final : public Physics, public HasSurface {
   StepReport advance(const Step& step) override;
   void refresh_output() override;
   std::vector<Field> fields() override;
-  std::vector<Ledger> ledgers() const override { return at_rest_->ledgers(); }
+  std::vector<Balance> balances() const override { return at_rest_->balances(); }
   std::vector<std::pair<std::string, double>> diagnostics() const override {
     return at_rest_->diagnostics();
   }

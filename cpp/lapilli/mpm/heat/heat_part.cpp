@@ -6,9 +6,9 @@
 #include <numeric>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/boundary_conditions.hpp"
 #include "lapilli/mpm/heat/cell_operators.hpp"
 #include "lapilli/mpm/heat/cut_bodies.hpp"
-#include "lapilli/mpm/heat/heat_laws.hpp"
 #include "lapilli/mpm/heat/start_in_shape.hpp"
 
 namespace lapilli {
@@ -303,8 +303,9 @@ std::vector<HeatPart<Dim>> make_parts(const Points& points, const HeatProblem<Di
     require(std::any_of(cut.begin(), cut.end(),
                         [&](const CutBody<Dim>& body) { return !body.pieces[law].empty(); }),
             "heat.boundaries.", law, " (", name_of_law(laws[law], law), ") selects no surface: ",
-            region_of(laws[law]) != nullptr ? "its region covers none that an earlier law left"
-                                            : "earlier laws took all of it");
+            region_of(laws[law]) != nullptr
+                ? "its region covers none that an earlier condition left"
+                : "earlier conditions took all of it");
   }
   std::vector<HeatPart<Dim>> parts;
   with_shape(problem.shape, resting_half_width, [&](auto function) {

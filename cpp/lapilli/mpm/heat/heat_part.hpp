@@ -3,11 +3,11 @@
 #include <memory>
 #include <vector>
 
+#include "lapilli/algebra/stencil_matrix.hpp"
 #include "lapilli/core/points.hpp"
 #include "lapilli/mpm/heat/followers.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/heat/surface_term.hpp"
-#include "lapilli/mpm/stencil_matrix.hpp"
 
 namespace lapilli {
 

@@ -6,14 +6,14 @@
 
 #include "lapilli/core/physics.hpp"
 #include "lapilli/core/points.hpp"
+#include "lapilli/geometry/grid.hpp"
+#include "lapilli/geometry/prescribed_motion.hpp"
 #include "lapilli/geometry/shape.hpp"
 #include "lapilli/materials/thermal.hpp"
-#include "lapilli/mpm/grid.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
-#include "lapilli/mpm/nodal_surface.hpp"
-#include "lapilli/mpm/prescribed_motion.hpp"
-#include "lapilli/mpm/wall_contact.hpp"
-#include "lapilli/mpm/weights.hpp"
+#include "lapilli/mpm/surface/nodal_surface.hpp"
+#include "lapilli/mpm/surface/wall_contact.hpp"
+#include "lapilli/mpm/transfer/weights.hpp"
 
 namespace lapilli {
 

@@ -40,8 +40,8 @@ struct Names<FluxMethod> {
 
 /// What points and nodes hand each other in a step.
 enum class HeatTransfer {
-  automatic,  // `kept` where nothing moves, `affine` where points do
-  kept,       // nodal temperature stays between steps; points at rest only
+  automatic,  // `nodal` where nothing moves, `affine` where points do
+  nodal,      // nodal temperature stays between steps; points at rest only
   affine,     // affine FLIP with the step-scaled TPIC blend
   flip,
   pic,
@@ -51,18 +51,18 @@ enum class HeatTransfer {
 template <>
 struct Names<HeatTransfer> {
   static constexpr std::pair<HeatTransfer, const char*> values[] = {
-      {HeatTransfer::automatic, "auto"}, {HeatTransfer::kept, "kept"},
+      {HeatTransfer::automatic, "auto"}, {HeatTransfer::nodal, "nodal"},
       {HeatTransfer::affine, "affine"},  {HeatTransfer::flip, "flip"},
       {HeatTransfer::pic, "pic"},        {HeatTransfer::tpic, "tpic"}};
 };
 
 /// How the nodal temperatures are advanced.
-enum class HeatStepping { explicit_euler, theta };
+enum class TimeIntegration { explicit_euler, implicit_theta };
 
 template <>
-struct Names<HeatStepping> {
-  static constexpr std::pair<HeatStepping, const char*> values[] = {
-      {HeatStepping::explicit_euler, "explicit"}, {HeatStepping::theta, "theta"}};
+struct Names<TimeIntegration> {
+  static constexpr std::pair<TimeIntegration, const char*> values[] = {
+      {TimeIntegration::explicit_euler, "explicit"}, {TimeIntegration::implicit_theta, "implicit"}};
 };
 
 /// Linear solver of the theta scheme.
@@ -77,7 +77,7 @@ struct Names<HeatSolver> {
 };
 
 /// A prescribed flux into the body.
-struct PrescribedFlux {
+struct Flux {
   static constexpr const char* kind = "flux";
   std::string name;
   Value value;                  // W/m^2, positive into the body
@@ -85,7 +85,7 @@ struct PrescribedFlux {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("name").text("name of the region in ledger and messages"), self.name);
+    visit(Key("name").text("name of the region in balance and messages"), self.name);
     visit(Key("value").unit("W/m^2").required().text("flux, positive into the body"), self.value);
     visit(Key("region").text("shape that selects the surface"), self.region);
   }
@@ -101,7 +101,7 @@ struct Convection {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("name").text("name of the region in ledger and messages"), self.name);
+    visit(Key("name").text("name of the region in balance and messages"), self.name);
     visit(Key("coefficient")
               .unit("W/(m^2 K)")
               .non_negative()
@@ -125,7 +125,7 @@ struct Radiation {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("name").text("name of the region in ledger and messages"), self.name);
+    visit(Key("name").text("name of the region in balance and messages"), self.name);
     visit(Key("emissivity").range(0.0, 1.0).text("emissivity"), self.emissivity);
     visit(Key("ambient").unit("K").required().text(
               "temperature far away, absolute unless temperature_unit says otherwise"),
@@ -148,26 +148,26 @@ struct PrescribedTemperature {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("name").text("name of the region in ledger and messages"), self.name);
+    visit(Key("name").text("name of the region in balance and messages"), self.name);
     visit(Key("value").unit("K").required().text("temperature of the surface"), self.value);
     visit(Key("region").text("shape that selects the surface"), self.region);
   }
 };
 
-using HeatBoundary = std::variant<PrescribedFlux, Convection, Radiation, PrescribedTemperature>;
+using HeatBoundary = std::variant<Flux, Convection, Radiation, PrescribedTemperature>;
 
 /// Heat conduction: the section [heat] of a scene.
 struct HeatSettings {
   FluxMethod method = FluxMethod::virtual_flux;
   HeatTransfer transfer = HeatTransfer::automatic;
-  HeatStepping stepping = HeatStepping::explicit_euler;
+  TimeIntegration time_integration = TimeIntegration::explicit_euler;
   double theta = 0.5;  // 0.5 Crank-Nicolson, 1 backward Euler
   HeatSolver solver = HeatSolver::automatic;
   std::optional<TemperatureUnit> unit;  // kelvin unless said
   double blend = 4.0;                   // c of beta = 1 - exp(-c dt alpha/h^2)
   int normal_smoothing = 2;             // passes of 1/4, 1/2, 1/4 before nodal normals
   double surface_fraction = 0.55;       // eta of the paper's surface rule
-  bool implicit_exchange = true;        // convection and radiation at the end of the step
+  bool implicit_robin = true;           // convection and radiation at the end of the step
   bool corner_fit = true;               // fitted vector at sharp corners
   std::vector<HeatBoundary> boundaries;
 
@@ -175,7 +175,8 @@ struct HeatSettings {
   static void describe(Self& self, Visitor& visit) {
     visit(Key("method").text("how flux laws reach the nodes"), self.method);
     visit(Key("transfer").text("what points and nodes hand each other"), self.transfer);
-    visit(Key("stepping").text("explicit Euler or the implicit theta scheme"), self.stepping);
+    visit(Key("time_integration").text("explicit Euler or the implicit theta scheme"),
+          self.time_integration);
     visit(Key("theta").range(0.5, 1.0).text("implicitness of the theta scheme"), self.theta);
     visit(Key("solver").text("linear solver of the theta scheme"), self.solver);
     visit(Key("temperature_unit")
@@ -190,10 +191,10 @@ struct HeatSettings {
               .text("volume fraction below which a cell is surface (method paper)"),
           self.surface_fraction);
     visit(
-        Key("implicit_exchange")
+        Key("implicit_robin")
             .text(
                 "take convection and radiation at the end of the step, stable for any coefficient"),
-        self.implicit_exchange);
+        self.implicit_robin);
     visit(Key("corner_fit").text("give sharp corners their whole area"), self.corner_fit);
     visit(Key("boundaries")
               .text("flux laws and held temperatures; the first region that covers a place wins"),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lapilli/mpm/heat/heat_laws.hpp"
+#include "lapilli/mpm/heat/boundary_conditions.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 
 namespace lapilli {

@@ -1,8 +1,8 @@
 #include "lapilli/core/require.hpp"
-#include "lapilli/mpm/heat/heat_at_rest.hpp"
+#include "lapilli/mpm/heat/cut_cell_heat.hpp"
 #include "lapilli/mpm/heat/heat_in_body_frame.hpp"
-#include "lapilli/mpm/heat/heat_in_shapes.hpp"
-#include "lapilli/mpm/heat/heat_on_points.hpp"
+#include "lapilli/mpm/heat/nodal_heat.hpp"
+#include "lapilli/mpm/heat/particle_heat.hpp"
 #include "lapilli/mpm/heat/step_bound.hpp"
 
 namespace lapilli {
@@ -14,7 +14,7 @@ bool closes_on_nodes(const HeatProblem<Dim>& problem) {
   const HeatSettings& settings = problem.settings;
   return !problem.moving && settings.method != FluxMethod::particle &&
          settings.transfer != HeatTransfer::affine && settings.transfer != HeatTransfer::tpic &&
-         !(settings.transfer == HeatTransfer::flip && settings.implicit_exchange &&
+         !(settings.transfer == HeatTransfer::flip && settings.implicit_robin &&
            exchanges_strongly(problem));
 }
 
@@ -25,16 +25,16 @@ std::unique_ptr<Physics> make_heat(Points& points, HeatProblem<Dim> problem) {
   if (HeatInBodyFrame<Dim>::suits(problem)) {
     return std::make_unique<HeatInBodyFrame<Dim>>(points, std::move(problem));
   }
-  require(!problem.moving || problem.settings.transfer != HeatTransfer::kept,
-          "heat.transfer = \"kept\" needs points at rest or one rigid motion of all bodies, but "
+  require(!problem.moving || problem.settings.transfer != HeatTransfer::nodal,
+          "heat.transfer = \"nodal\" needs points at rest or one rigid motion of all bodies, but "
           "this scene moves them");
-  if (HeatInShapes<Dim>::suits(problem)) {
-    return std::make_unique<HeatInShapes<Dim>>(points, std::move(problem));
+  if (CutCellHeat<Dim>::suits(problem)) {
+    return std::make_unique<CutCellHeat<Dim>>(points, std::move(problem));
   }
   if (closes_on_nodes(problem)) {
-    return std::make_unique<HeatAtRest<Dim>>(points, std::move(problem));
+    return std::make_unique<NodalHeat<Dim>>(points, std::move(problem));
   }
-  return std::make_unique<HeatOnPoints<Dim>>(points, std::move(problem));
+  return std::make_unique<ParticleHeat<Dim>>(points, std::move(problem));
 }
 
 template std::unique_ptr<Physics> make_heat(Points&, HeatProblem<1>);

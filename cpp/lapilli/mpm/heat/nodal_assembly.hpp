@@ -3,8 +3,8 @@
 #include <functional>
 #include <memory>
 
+#include "lapilli/algebra/stencil_matrix.hpp"
 #include "lapilli/mpm/heat/point_fields.hpp"
-#include "lapilli/mpm/stencil_matrix.hpp"
 
 namespace lapilli {
 

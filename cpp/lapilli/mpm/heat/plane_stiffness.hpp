@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "lapilli/core/quad.hpp"
-#include "lapilli/mpm/grid.hpp"
+#include "lapilli/core/simd.hpp"
+#include "lapilli/geometry/grid.hpp"
 
 namespace lapilli {
 
@@ -30,7 +30,7 @@ class PlaneStiffness {
     explicit Held(PlaneStiffness* all) : all_(all) {}
 
     /// A point with k V = `weight` and the slopes of its patch of nodes along both axes.
-    void add(Index first, double weight, Quad slope_x, Quad slope_y) {
+    void add(Index first, double weight, Double4 slope_x, Double4 slope_y) {
       if (all_ == nullptr) {
         return;
       }
@@ -49,13 +49,13 @@ class PlaneStiffness {
         all_->sum_[2][first_] += across_x_[0];
         all_->sum_[3][first_] += across_x_[1];
         all_->sum_[4][first_] += total_;
-        across_y_ = across_x_ = Quad{};
+        across_y_ = across_x_ = Double4{};
         total_ = 0.0;
       }
     }
 
    private:
-    Quad across_y_{}, across_x_{};
+    Double4 across_y_{}, across_x_{};
     double total_ = 0.0;
     PlaneStiffness* all_;
     Index first_ = -1;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lapilli/mpm/patch_weights.hpp"
+#include "lapilli/mpm/transfer/patch_weights.hpp"
 
 namespace lapilli {
 namespace {
@@ -107,7 +107,7 @@ void PointGridTransfer<Dim>::project(const Points& points, const CellOrder<Dim>&
         const double m = point_capacity[row];
         // T_p + G_p . (x_I - x_p) over a patch: constant plus what varies within it.
         const double* g = gradient + row * Dim;
-        Quad tilt{};
+        Double4 tilt{};
         if constexpr (decltype(affine)::value) {
           for (int axis = 0; axis < Patch::inner; ++axis) {
             tilt += (nodes.lanes(axis) - w.from_base(axis)) * g[axis];
@@ -121,7 +121,7 @@ void PointGridTransfer<Dim>::project(const Points& points, const CellOrder<Dim>&
               constant += g[axis] * (nodes.distance(patch, axis) - w.from_base(axis));
             }
           }
-          const Quad mass = w.value() * (w.across(patch) * m);
+          const Double4 mass = w.value() * (w.across(patch) * m);
           held.sum[0][patch] += mass;
           held.sum[1][patch] += mass * (tilt + constant);
         }
@@ -178,13 +178,13 @@ namespace {
 /// Level and slopes of a nodal array at a point: parts whose lanes add up to the value (first) and
 /// to the gradient.
 template <int Dim, class Shape, bool WithGradient, class Point>
-[[gnu::always_inline]] inline std::array<Quad, 4> parts_at(const PatchNodes<Dim, Shape>& nodes,
-                                                           const double* nodal, const Point& w) {
+[[gnu::always_inline]] inline std::array<Double4, 4> parts_at(const PatchNodes<Dim, Shape>& nodes,
+                                                              const double* nodal, const Point& w) {
   using Patch = PatchWeights<Dim, Shape>;
-  Quad level{}, slope[Dim] = {};
+  Double4 level{}, slope[Dim] = {};
 #pragma GCC unroll 9
   for (int patch = 0; patch < Patch::patches; ++patch) {
-    const Quad here = nodes.read(nodal, w.first(), patch);
+    const Double4 here = nodes.read(nodal, w.first(), patch);
     level += here * w.across(patch);
     if constexpr (WithGradient) {
       for (int axis = Patch::inner; axis < Dim; ++axis) {
@@ -192,7 +192,7 @@ template <int Dim, class Shape, bool WithGradient, class Point>
       }
     }
   }
-  std::array<Quad, 4> parts{w.value() * level};
+  std::array<Double4, 4> parts{w.value() * level};
   if constexpr (WithGradient) {
     for (int axis = 0; axis < Dim; ++axis) {
       parts[1 + axis] = axis < Patch::inner ? w.slope(axis) * level : w.value() * slope[axis];
@@ -226,7 +226,7 @@ void PointGridTransfer<Dim>::conduct_by_points(const Points& points, const CellO
       for_points(grid_, begin, end, position, shape_of, body, [&](Index row, const auto& w) {
         held.hold(w.first());
         const auto parts = parts_at<Dim, Function, true>(nodes, temperature.data(), w);
-        const Quad added = lapilli::sums(parts[0], parts[1], parts[2], parts[3]);
+        const Double4 added = lapilli::sums(parts[0], parts[1], parts[2], parts[3]);
         const Mat<Dim>& conductivity = coefficients_.conductivity[body[row]];
         double flux[Dim];
         for (int axis = 0; axis < Dim; ++axis) {
@@ -236,7 +236,7 @@ void PointGridTransfer<Dim>::conduct_by_points(const Points& points, const CellO
           }
           flux[axis] *= volume[row];
         }
-        Quad inner{};
+        Double4 inner{};
         for (int axis = 0; axis < Patch::inner; ++axis) {
           inner += w.slope(axis) * flux[axis];
         }
@@ -267,7 +267,7 @@ void PointGridTransfer<Dim>::update(const Points& points, const std::vector<doub
       for_points(grid_, begin, end, position, shape_of, body, [&](Index row, const auto& w) {
         const auto parts =
             parts_at<Dim, Function, decltype(with_gradient)::value>(nodes, nodal.data(), w);
-        const Quad added = lapilli::sums(parts[0], parts[1], parts[2], parts[3]);
+        const Double4 added = lapilli::sums(parts[0], parts[1], parts[2], parts[3]);
         carried[row] = keep * carried[row] + added[0];
         if constexpr (decltype(with_gradient)::value) {
           for (int axis = 0; axis < Dim; ++axis) {

@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "lapilli/mpm/cell_order.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/heat/plane_stiffness.hpp"
 #include "lapilli/mpm/heat/point_fields.hpp"
+#include "lapilli/mpm/transfer/cell_order.hpp"
 
 namespace lapilli {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "lapilli/core/value.hpp"
+#include "lapilli/geometry/grid.hpp"
 #include "lapilli/geometry/shape.hpp"
-#include "lapilli/mpm/grid.hpp"
 
 namespace lapilli {
 

@@ -149,7 +149,7 @@ StepLimit explicit_step_limit(const Points& points, const HeatProblem<Dim>& prob
       limit.reason = "explicit heat with carried gradients: 0.4 h^2/alpha";
     } else {
       limit.hard = carried_limit(transfer, problem.shape) * unit;
-      const bool strong = transfer == HeatTransfer::flip && problem.settings.implicit_exchange &&
+      const bool strong = transfer == HeatTransfer::flip && problem.settings.implicit_robin &&
                           exchanges_strongly(problem);
       // Beyond 3/8 h^2/alpha (in the plane) a node next to one held at ambient would pass it.
       limit.automatic = strong ? 0.3 * unit : 0.8 * limit.hard;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "lapilli/mpm/heat/heat_laws.hpp"
+#include "lapilli/algebra/stencil_matrix.hpp"
+#include "lapilli/mpm/heat/boundary_conditions.hpp"
 #include "lapilli/mpm/heat/point_fields.hpp"
-#include "lapilli/mpm/stencil_matrix.hpp"
 
 namespace lapilli {
 

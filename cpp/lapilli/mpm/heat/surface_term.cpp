@@ -17,7 +17,7 @@ Eigen::Map<const Vector> mapped(const std::vector<double>& values) {
 
 }  // namespace
 
-SurfaceTerm::SurfaceTerm(const SurfaceLaws& laws, std::vector<Part> parts) {
+SurfaceTerm::SurfaceTerm(const SurfaceConditions& laws, std::vector<Part> parts) {
   for (std::size_t law = 0; law < parts.size(); ++law) {
     Known known;
     known.given = std::move(parts[law]);
@@ -42,7 +42,7 @@ SurfaceTerm::SurfaceTerm(const SurfaceLaws& laws, std::vector<Part> parts) {
   }
 }
 
-void SurfaceTerm::evaluate(const SurfaceLaws& laws, const Vector& temperature, double from,
+void SurfaceTerm::evaluate(const SurfaceConditions& laws, const Vector& temperature, double from,
                            double to) {
   force_.setZero();
   for (std::size_t law = 0; law < parts_.size(); ++law) {

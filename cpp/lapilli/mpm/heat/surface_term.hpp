@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lapilli/core/archive.hpp"
-#include "lapilli/mpm/heat/surface_laws.hpp"
+#include "lapilli/mpm/heat/surface_conditions.hpp"
 
 namespace lapilli {
 
@@ -29,13 +29,13 @@ class SurfaceTerm {
 
   SurfaceTerm() = default;
   /// `parts` by law.
-  SurfaceTerm(const SurfaceLaws& laws, std::vector<Part> parts);
+  SurfaceTerm(const SurfaceConditions& laws, std::vector<Part> parts);
 
   bool empty() const { return parts_.empty(); }
   const SurfaceSites& sites(std::size_t law) const { return parts_[law].given.sites; }
 
   /// Take the laws over [from, to] at the temperatures of the unknowns.
-  void evaluate(const SurfaceLaws& laws, const Vector& temperature, double from, double to);
+  void evaluate(const SurfaceConditions& laws, const Vector& temperature, double from, double to);
 
   // Of the last evaluation:
   /// Heat by unknown, W.

@@ -75,7 +75,7 @@ template <int Dim>
 ThetaSolver<Dim>::~ThetaSolver() = default;
 
 template <int Dim>
-void ThetaSolver<Dim>::prepare(double scale, const HeatLaws<Dim>& laws) {
+void ThetaSolver<Dim>::prepare(double scale, const BoundaryConditions<Dim>& laws) {
   std::vector<double> slopes;
   for (const auto& nodes : laws.nodes()) {
     slopes.insert(slopes.end(), nodes.slope.begin(), nodes.slope.end());

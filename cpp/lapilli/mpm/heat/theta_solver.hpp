@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "lapilli/algebra/stencil_matrix.hpp"
 #include "lapilli/core/physics.hpp"
-#include "lapilli/mpm/heat/heat_laws.hpp"
-#include "lapilli/mpm/stencil_matrix.hpp"
+#include "lapilli/mpm/heat/boundary_conditions.hpp"
 
 namespace lapilli {
 
@@ -21,7 +21,7 @@ class ThetaSolver {
   ~ThetaSolver();
 
   /// Factorise for `scale` = theta dt and the laws' present slopes, unless that was done already.
-  void prepare(double scale, const HeatLaws<Dim>& laws);
+  void prepare(double scale, const BoundaryConditions<Dim>& laws);
   /// increment = matrix^-1 residual, both by place. Throws RunError when the solver fails.
   void solve(std::span<const double> residual, std::span<double> increment);
 

@@ -36,7 +36,7 @@ Boundary<Dim>::Boundary(const QuasiStaticSettings& settings, std::vector<Shape> 
   for (const Shape& body : bodies_) {
     check(body, Dim);
   }
-  for (const WallSettings& wall : settings.walls) {
+  for (const SupportSettings& wall : settings.supports) {
     names_.push_back(wall.name.empty() ? message(names_.size() + 1) : wall.name);
     kinds_.push_back(wall.kind);
     walls_.emplace_back(wall.surface, wall.displacement, "wall '" + names_.back() + "'",
@@ -170,7 +170,7 @@ template <int Dim>
 double Boundary<Dim>::deepest_penetration(const Grid<Dim>& grid, const Points& points,
                                           const std::vector<Vec<Dim>>& moves, double to,
                                           std::span<const double> guarded) const {
-  const double limit = settings_.largest_penetration * grid.cell_size();
+  const double limit = settings_.max_penetration * grid.cell_size();
   double deepest = 0.0;
   for (Index p = 0; p < points.size(); ++p) {
     const Vec<Dim> after = points.position<Dim>(p) + moves[p];
@@ -190,8 +190,8 @@ double Boundary<Dim>::deepest_penetration(const Grid<Dim>& grid, const Points& p
       if (deepest > limit) {
         throw LoadStepFailed(message(
             "point ", points.id()[p], " is pushed ", deepest, " m through ", walls_[w].what(),
-            " at ", after.transpose(), " m, more than largest_penetration of ",
-            settings_.largest_penetration,
+            " at ", after.transpose(), " m, more than max_penetration of ",
+            settings_.max_penetration,
             " cells: take smaller load steps, more points per cell or gimp shape functions"));
       }
     }

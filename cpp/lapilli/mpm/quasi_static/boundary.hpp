@@ -59,7 +59,7 @@ class Boundary {
              std::span<double> guarded) const;
 
   /// How deep the deepest guarded point goes behind its wall when the points move by `moves` until
-  /// `to`, m. Throws LoadStepFailed beyond `largest_penetration`, and for points that leave the
+  /// `to`, m. Throws LoadStepFailed beyond `max_penetration`, and for points that leave the
   /// grid.
   double deepest_penetration(const Grid<Dim>& grid, const Points& points,
                              const std::vector<Vec<Dim>>& moves, double to,

@@ -35,7 +35,7 @@ void Equilibrium<Dim>::lay_out() {
   for (const auto& group : weights_.groups()) {
     boxes.push_back(group.box);
   }
-  for (const WallTerm<Dim>& wall : loads_.walls) {
+  for (const SupportTerm<Dim>& wall : loads_.walls) {
     boxes.push_back(wall.box);
   }
   if (loads_.ghost > 0.0) {
@@ -171,7 +171,7 @@ void Equilibrium<Dim>::scatter(const CellBox<Dim>& box, const Eigen::VectorXd& l
 template <int Dim>
 void Equilibrium<Dim>::add_walls(const Eigen::VectorXd& held_back, Eigen::VectorXd& internal,
                                  Eigen::VectorXd& cancelled, double& wall_square) const {
-  for (const WallTerm<Dim>& wall : loads_.walls) {
+  for (const SupportTerm<Dim>& wall : loads_.walls) {
     const Eigen::VectorXd local = gather(wall.box, held_back);
     const Eigen::VectorXd held = wall.matrix * local;
     wall_square += held.squaredNorm() + wall.force.squaredNorm();
@@ -242,10 +242,10 @@ double Equilibrium<Dim>::lost_surface_force() const {
 }
 
 template <int Dim>
-std::vector<Vec<Dim>> Equilibrium<Dim>::wall_forces(const Eigen::VectorXd& u, int walls) const {
+std::vector<Vec<Dim>> Equilibrium<Dim>::support_forces(const Eigen::VectorXd& u, int walls) const {
   std::vector<Vec<Dim>> forces(walls, Vec<Dim>::Zero());
   const Eigen::VectorXd held_back = total(u);
-  for (const WallTerm<Dim>& wall : loads_.walls) {
+  for (const SupportTerm<Dim>& wall : loads_.walls) {
     Vec<Dim>& force = forces[wall.wall];
     for_each_node(grid_, wall.box, [&](int a, Index node) {
       force -= wall.reaction.template middleCols<Dim>(Dim * a) *

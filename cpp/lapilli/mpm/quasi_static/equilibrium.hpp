@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "lapilli/mpm/quasi_static/direct_solver.hpp"
+#include "lapilli/algebra/direct_solver.hpp"
 #include "lapilli/mpm/quasi_static/newton.hpp"
-#include "lapilli/mpm/quasi_static/wall_terms.hpp"
+#include "lapilli/mpm/quasi_static/support_terms.hpp"
 
 namespace lapilli {
 
@@ -21,7 +21,7 @@ struct SurfaceForce {
 template <int Dim>
 struct Loads {
   std::vector<Vec<Dim>> body_force;  // N/m^3, one a point; empty: none
-  std::vector<WallTerm<Dim>> walls;
+  std::vector<SupportTerm<Dim>> walls;
   std::vector<SurfaceForce<Dim>> surface_forces;
   std::array<std::vector<CellBox<Dim>>, Dim> ghost_pairs;
   double ghost = 0.0;
@@ -63,7 +63,7 @@ class Equilibrium {
   /// Displacement increment of a point.
   Vec<Dim> displacement(Index point, const Eigen::VectorXd& u) const;
   /// Force of each of `walls` walls on the material, N (per metre of thickness in 2D).
-  std::vector<Vec<Dim>> wall_forces(const Eigen::VectorXd& u, int walls) const;
+  std::vector<Vec<Dim>> support_forces(const Eigen::VectorXd& u, int walls) const;
 
  private:
   void lay_out();

@@ -120,7 +120,7 @@ void Equilibrium<Dim>::assemble_points() {
 template <int Dim>
 void Equilibrium<Dim>::assemble_surfaces() {
   std::vector<int> rows;
-  for (const WallTerm<Dim>& wall : loads_.walls) {
+  for (const SupportTerm<Dim>& wall : loads_.walls) {
     rows.resize(wall.box.node_count());
     system_.rows(grid_, wall.box, rows.data());
     system_.add(rows.data(), static_cast<int>(rows.size()), wall.matrix.data());

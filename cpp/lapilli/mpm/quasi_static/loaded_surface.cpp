@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "lapilli/core/require.hpp"
-#include "lapilli/mpm/quasi_static/wall_terms.hpp"
+#include "lapilli/mpm/quasi_static/support_terms.hpp"
 
 namespace lapilli {
 namespace {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "lapilli/algebra/node_system.hpp"
 #include "lapilli/core/archive.hpp"
 #include "lapilli/mpm/quasi_static/cell_state.hpp"
-#include "lapilli/mpm/quasi_static/node_system.hpp"
 
 namespace lapilli {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lapilli/mpm/quasi_static/wall_terms.hpp"
+#include "lapilli/mpm/quasi_static/support_terms.hpp"
 
 namespace lapilli {
 namespace {

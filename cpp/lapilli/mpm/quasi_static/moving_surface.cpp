@@ -7,7 +7,7 @@
 namespace lapilli {
 namespace {
 
-/// Corners, anticlockwise, of a plane shape with straight sides; nothing for other shapes.
+/// Corners, counter-clockwise, of a plane shape with straight sides; nothing for other shapes.
 std::optional<std::vector<Vec<2>>> outline(const Shape& shape) {
   std::vector<Vec<2>> corners;
   if (const auto* polygon = std::get_if<Polygon>(&shape)) {

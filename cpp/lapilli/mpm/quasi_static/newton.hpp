@@ -29,13 +29,13 @@ struct Imbalance {
 /// where a correction no longer helps.
 template <class Residual, class Correction>
 NewtonReport solve_newton(Eigen::VectorXd& u, const Residual& residual,
-                          const Correction& correction, double tolerance, int largest_iterations) {
+                          const Correction& correction, double tolerance, int max_iterations) {
   constexpr int least_iterations = 2;
   NewtonReport report;
   Imbalance imbalance = residual(u);
   report.residual = imbalance.relative();
   double within = std::max(tolerance, imbalance.floor());
-  while (report.iterations < largest_iterations) {
+  while (report.iterations < max_iterations) {
     if (imbalance.force.isZero(0.0) ||
         (report.residual <= within && report.iterations >= least_iterations)) {
       break;

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "lapilli/core/require.hpp"
-#include "lapilli/mpm/shape_function.hpp"
+#include "lapilli/mpm/transfer/shape_function.hpp"
 
 namespace lapilli {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "lapilli/mpm/quasi_static/cell_box.hpp"
+#include "lapilli/geometry/cell_box.hpp"
 
 namespace lapilli {
 

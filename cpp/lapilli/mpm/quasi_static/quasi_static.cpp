@@ -32,7 +32,7 @@ StepReport QuasiStatic<Dim>::advance(const Step& step) {
       report_.halvings = halvings;
       return {size, report_.newton.iterations, report_.newton.residual};
     } catch (const LoadStepFailed& error) {
-      if (halvings == settings_.largest_halvings) {
+      if (halvings == settings_.max_cutbacks) {
         throw StepRefused(message("load step failed after ", halvings, " halvings: ", error.what(),
                                   "; the last converged state is kept"));
       }
@@ -91,9 +91,9 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(double from, double
   }
   report.penetration =
       boundary_.deepest_penetration(grid_, points_, moves, to, std::as_const(guarded_).values());
-  wall_forces_ = equilibrium.wall_forces(u, static_cast<int>(boundary_.walls()));
-  for (std::size_t w = 0; w < wall_forces_.size(); ++w) {
-    wall_forces_[w] += carried * reference_.wall_forces[w];
+  support_forces_ = equilibrium.support_forces(u, static_cast<int>(boundary_.walls()));
+  for (std::size_t w = 0; w < support_forces_.size(); ++w) {
+    support_forces_[w] += carried * reference_.support_forces[w];
   }
   update_points(equilibrium, u, moves);
   boundary_.guard(grid_, points_, to, guarded_.values());
@@ -118,7 +118,7 @@ Eigen::VectorXd QuasiStatic<Dim>::solve(const Equilibrium<Dim>& equilibrium, Rep
   report.newton = solve_newton(
       u, [&](const Eigen::VectorXd& at) { return equilibrium.residual(at); },
       [&](const Eigen::VectorXd& force) { return equilibrium.correction(force); },
-      settings_.tolerance, settings_.largest_iterations);
+      settings_.tolerance, settings_.max_iterations);
   if (!report.newton.converged) {
     throw LoadStepFailed(message("Newton's method stalled at a relative residual of ",
                                  report.newton.residual, " after ", report.newton.iterations,
@@ -158,7 +158,7 @@ void QuasiStatic<Dim>::factorise(Loads<Dim>& loads, double to, Report& report) {
   constexpr double tighter = 4.0;
   report.pivots = equilibrium_under(loads).factorise();
   for (int k = 0; k < most_tightenings && report.pivots.not_positive > 0 &&
-                  settings_.wall_form == WallForm::mean_gap;
+                  settings_.enforcement == Enforcement::mean_gap;
        ++k) {
     reference_.scheme.pointwise *= tighter;
     reference_.scheme.stiff *= 2.0 * tighter;
@@ -189,12 +189,12 @@ void QuasiStatic<Dim>::require_positive(const PivotReport& pivots) const {
                 "of 1e8"));
   }
   const Vec<Dim> place = grid_.node_position(system_.nodes()[pivots.smallest_unknown / Dim]);
-  throw RunError(
-      message("the stiffness matrix is not positive definite: ", pivots.not_positive, " of ",
-              system_.unknowns(), " pivots, the smallest ", pivots.smallest, " at the node near ",
-              place.transpose(), " m, next to ", boundary_.nearest_wall(place),
-              ": cells cut to slivers need ghost stabilisation (ghost = 0.01), nitsche a smaller "
-              "gap_bandwidth"));
+  throw RunError(message(
+      "the stiffness matrix is not positive definite: ", pivots.not_positive, " of ",
+      system_.unknowns(), " pivots, the smallest ", pivots.smallest, " at the node near ",
+      place.transpose(), " m, next to ", boundary_.nearest_wall(place),
+      ": cells cut to slivers need ghost stabilisation (ghost_penalty = 0.01), nitsche a smaller "
+      "gap_bandwidth"));
 }
 
 template <int Dim>
@@ -208,7 +208,7 @@ void QuasiStatic<Dim>::reset_grid(double time) {
   reference_.imbalance_due = relaxation_ > 0.0 && reference_.moved.size() > 0;
   reference_.start(points_, half_width_.get(), time);
   reference_.scheme = scheme_;
-  reference_.wall_forces = wall_forces_;
+  reference_.support_forces = support_forces_;
   reference_.locate(grid_, points_, materials_, averaged_, boundary_);
 }
 

@@ -11,7 +11,7 @@
 #include "lapilli/mpm/quasi_static/equilibrium.hpp"
 #include "lapilli/mpm/quasi_static/reference.hpp"
 #include "lapilli/mpm/quasi_static/settings.hpp"
-#include "lapilli/mpm/shape_function.hpp"
+#include "lapilli/mpm/transfer/shape_function.hpp"
 
 namespace lapilli {
 
@@ -44,7 +44,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   std::vector<std::string> warnings() const override;
 
   /// Force of each wall on the material in the last load step, N (per metre thickness in 2D).
-  std::span<const Vec<Dim>> wall_forces() const { return wall_forces_; }
+  std::span<const Vec<Dim>> support_forces() const { return support_forces_; }
   std::span<const double> stress() const { return stress_.values(); }              // rows x 6, Pa
   std::span<const double> displacement() const { return displacement_.values(); }  // rows x Dim, m
 
@@ -85,7 +85,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   std::vector<LinearElastic> materials_;
   QuasiStaticSettings settings_;
   Boundary<Dim> boundary_;
-  WallScheme scheme_;
+  SupportScheme scheme_;
   double ghost_ = 0.0;
   bool update_volumes_ = true;
   std::vector<char> averaged_;  // by body: whether its dilatation is that of the cell
@@ -95,7 +95,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   PointArray displacement_;                 // m, rows x Dim
   PointArray guarded_;                      // rows x walls: 1 where a wall must keep the point
   std::unique_ptr<PointArray> half_width_;  // m, rows x Dim, of GIMP
-  std::vector<Vec<Dim>> wall_forces_;
+  std::vector<Vec<Dim>> support_forces_;
   Report report_;
 
   Reference<Dim> reference_;

@@ -11,9 +11,9 @@ Loads<Dim> QuasiStatic<Dim>::collect_loads(double to) const {
   std::vector<std::vector<Vec<Dim>>> motions;
   for (const Facet<Dim>& facet : reference_.facets) {
     motions.push_back(boundary_.wall(facet.surface).increments(facet, reference_.time, to));
-    loads.walls.push_back(wall_term<Dim>(grid_, *reference_.state, facet,
-                                         boundary_.kinds()[facet.surface], motions.back(),
-                                         reference_.scheme));
+    loads.walls.push_back(support_term<Dim>(grid_, *reference_.state, facet,
+                                            boundary_.kinds()[facet.surface], motions.back(),
+                                            reference_.scheme));
   }
   require_agreeing<Dim>(grid_, reference_.facets, motions, boundary_.kinds(), boundary_.names());
   require_held<Dim>(grid_, points_, reference_.weights, reference_.facets, boundary_.kinds());
@@ -68,7 +68,7 @@ void QuasiStatic<Dim>::require_loads_arrive(const Equilibrium<Dim>& equilibrium)
   if (lost > most_lost) {
     throw RunError(message("a share of ", lost,
                            " of the tractions acts on nodes that carry no "
-                           "stiffness: use ghost stabilisation (ghost = 0.01)"));
+                           "stiffness: use ghost stabilisation (ghost_penalty = 0.01)"));
   }
 }
 

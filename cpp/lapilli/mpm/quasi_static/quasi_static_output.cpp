@@ -20,10 +20,10 @@ void QuasiStatic<Dim>::save(Archive& archive) const {
   archive.write("quasi_static/start_volume", start_volume_.values());
   archive.write("quasi_static/guarded", guarded_.values());
   std::vector<double> forces;
-  for (const Vec<Dim>& force : wall_forces_) {
+  for (const Vec<Dim>& force : support_forces_) {
     forces.insert(forces.end(), force.data(), force.data() + Dim);
   }
-  archive.write("quasi_static/wall_forces", std::span<const double>(forces));
+  archive.write("quasi_static/support_forces", std::span<const double>(forces));
   if (half_width_) {
     archive.write("quasi_static/half_width", std::as_const(*half_width_).values());
   }
@@ -36,9 +36,9 @@ void QuasiStatic<Dim>::load(const Archive& archive) {
   archive.read("quasi_static/displacement", displacement_.values());
   archive.read("quasi_static/start_volume", start_volume_.values());
   archive.read("quasi_static/guarded", guarded_.values());
-  const std::vector<double> forces = archive.read_numbers("quasi_static/wall_forces");
-  for (std::size_t w = 0; w < wall_forces_.size(); ++w) {
-    wall_forces_[w] = Eigen::Map<const Vec<Dim>>(forces.data() + Dim * w);
+  const std::vector<double> forces = archive.read_numbers("quasi_static/support_forces");
+  for (std::size_t w = 0; w < support_forces_.size(); ++w) {
+    support_forces_[w] = Eigen::Map<const Vec<Dim>>(forces.data() + Dim * w);
   }
   if (half_width_) {
     archive.read("quasi_static/half_width", half_width_->values());
@@ -88,7 +88,7 @@ std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() cons
   for (std::size_t w = 0; w < boundary_.walls(); ++w) {
     for (int axis = 0; axis < Dim; ++axis) {
       numbers.emplace_back("force of " + boundary_.wall(w).what() + " along " + axes[axis],
-                           wall_forces_[w][axis]);
+                           support_forces_[w][axis]);
     }
   }
   return numbers;

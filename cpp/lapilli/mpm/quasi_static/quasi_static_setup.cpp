@@ -26,7 +26,7 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
       start_volume_(points, 1),
       displacement_(points, Dim),
       guarded_(points, static_cast<int>(std::max<std::size_t>(1, boundary_.walls()))),
-      wall_forces_(boundary_.walls(), Vec<Dim>::Zero()),
+      support_forces_(boundary_.walls(), Vec<Dim>::Zero()),
       reference_(points, shape_function == ShapeFunction::gimp) {
   require(points.dimension() == Dim && points.size() > 0, "quasi_static needs points of dimension ",
           Dim);
@@ -55,18 +55,18 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
 template <int Dim>
 void QuasiStatic<Dim>::choose_schemes() {
   constexpr double locking = 0.4;  // Poisson ratio above which cells share one dilatation
-  const bool literal = settings_.wall_form == WallForm::literal;
+  const bool literal = settings_.enforcement == Enforcement::literal;
   const double bandwidth = settings_.bandwidth.value_or(literal ? 1e-6 : 1e-3);
   require(bandwidth > 0.0 && settings_.gap_bandwidth > 0.0,
           "quasi_static: bandwidth and gap_bandwidth must be positive, got ", bandwidth, " and ",
           settings_.gap_bandwidth, " cells");
-  scheme_ = WallScheme::of(settings_.wall_form, bandwidth, settings_.gap_bandwidth);
-  ghost_ = settings_.ghost.value_or(literal ? 0.0 : 0.01);
+  scheme_ = SupportScheme::of(settings_.enforcement, bandwidth, settings_.gap_bandwidth);
+  ghost_ = settings_.ghost_penalty.value_or(literal ? 0.0 : 0.01);
   relaxation_ = settings_.relaxation.value_or(literal ? 0.0 : 0.5) * grid_.cell_size();
   reset_ = settings_.reset.value_or(literal ? 0.0 : 0.1) * grid_.cell_size();
   update_volumes_ = settings_.update_volumes.value_or(!literal);
   require(reset_ >= 0.0, "quasi_static: reset must not be negative, got ", *settings_.reset);
-  require(ghost_ >= 0.0, "quasi_static: ghost must not be negative, got ", ghost_);
+  require(ghost_ >= 0.0, "quasi_static: ghost_penalty must not be negative, got ", ghost_);
   require(settings_.body_force.size() <= Dim, "quasi_static: body_force has ",
           settings_.body_force.size(), " values, the scene has ", Dim, " axes");
   for (const LinearElastic& material : materials_) {

@@ -89,10 +89,10 @@ void Reference<Dim>::save(Archive& archive) const {
     loaded[t].save(archive, message("quasi_static/reference/traction ", t));
   }
   std::vector<double> forces;
-  for (const Vec<Dim>& force : wall_forces) {
+  for (const Vec<Dim>& force : support_forces) {
     forces.insert(forces.end(), force.data(), force.data() + Dim);
   }
-  archive.write("quasi_static/reference/wall_forces", std::span<const double>(forces));
+  archive.write("quasi_static/reference/support_forces", std::span<const double>(forces));
   if (half_width) {
     archive.write("quasi_static/reference/half_width", std::as_const(*half_width).values());
   }
@@ -111,10 +111,10 @@ void Reference<Dim>::load(const Archive& archive) {
   for (std::size_t t = 0; t < loaded.size(); ++t) {
     loaded[t].load(archive, message("quasi_static/reference/traction ", t));
   }
-  const std::vector<double> forces = archive.read_numbers("quasi_static/reference/wall_forces");
-  wall_forces.resize(forces.size() / Dim);
-  for (std::size_t w = 0; w < wall_forces.size(); ++w) {
-    wall_forces[w] = Eigen::Map<const Vec<Dim>>(forces.data() + Dim * w);
+  const std::vector<double> forces = archive.read_numbers("quasi_static/reference/support_forces");
+  support_forces.resize(forces.size() / Dim);
+  for (std::size_t w = 0; w < support_forces.size(); ++w) {
+    support_forces[w] = Eigen::Map<const Vec<Dim>>(forces.data() + Dim * w);
   }
   if (half_width) {
     archive.read("quasi_static/reference/half_width", half_width->values());

@@ -6,7 +6,7 @@
 #include "lapilli/core/points.hpp"
 #include "lapilli/mpm/quasi_static/boundary.hpp"
 #include "lapilli/mpm/quasi_static/cell_state.hpp"
-#include "lapilli/mpm/quasi_static/wall_terms.hpp"
+#include "lapilli/mpm/quasi_static/support_terms.hpp"
 
 namespace lapilli {
 
@@ -40,10 +40,10 @@ struct Reference {
   std::unique_ptr<CellState<Dim>> state;
   std::vector<Facet<Dim>> facets;          // of the walls
   std::vector<LoadedSurface<Dim>> loaded;  // by traction
-  WallScheme scheme;                       // tightened when the matrix was not positive definite
+  SupportScheme scheme;                    // tightened when the matrix was not positive definite
   Eigen::VectorXd moved;                   // m, of the unknowns since then; empty: nothing
   Eigen::VectorXd imbalance;               // N, of the unknowns then; empty: none
-  std::vector<Vec<Dim>> wall_forces;       // N, then
+  std::vector<Vec<Dim>> support_forces;    // N, then
   bool located = false, factorised = false, imbalance_due = false;
 };
 

@@ -26,15 +26,16 @@ struct Names<HeldMotion> {
 /// literal: pointwise with the paper's bandwidth of 1e-6 cells and no ghost stabilisation;
 /// nitsche: moderately at every point, with the wall's traction;
 /// penalty: stiffly at every point, without the wall's traction.
-enum class WallForm { mean_gap, pointwise, literal, nitsche, penalty };
+enum class Enforcement { mean_gap, pointwise, literal, nitsche, penalty };
 
 template <>
-struct Names<WallForm> {
-  static constexpr std::pair<WallForm, const char*> values[] = {{WallForm::mean_gap, "mean-gap"},
-                                                                {WallForm::pointwise, "pointwise"},
-                                                                {WallForm::literal, "literal"},
-                                                                {WallForm::nitsche, "nitsche"},
-                                                                {WallForm::penalty, "penalty"}};
+struct Names<Enforcement> {
+  static constexpr std::pair<Enforcement, const char*> values[] = {
+      {Enforcement::mean_gap, "mean-gap"},
+      {Enforcement::pointwise, "pointwise"},
+      {Enforcement::literal, "literal"},
+      {Enforcement::nitsche, "nitsche"},
+      {Enforcement::penalty, "penalty"}};
 };
 
 /// Where a wall or a traction is: the surface of a shape, or in two dimensions an open line.
@@ -57,7 +58,7 @@ struct SurfaceSettings {
 
 /// A surface on which the displacement is prescribed. Surfaces of shapes end where they meet the
 /// shape of another wall.
-struct WallSettings {
+struct SupportSettings {
   std::string name;  // "footing"; errors and reports use it
   HeldMotion kind = HeldMotion::fixed;
   SurfaceSettings surface;
@@ -108,28 +109,28 @@ struct TractionSettings {
 /// Equilibrium under load steps, solved implicitly on the background grid. Small strains; linear
 /// elastic bodies; plane strain in two dimensions.
 struct QuasiStaticSettings {
-  WallForm wall_form = WallForm::mean_gap;
-  std::optional<double> bandwidth;   // cells, of the stiff constraint; 1e-3, literal 1e-6
-  double gap_bandwidth = 0.05;       // cells, of the moderate constraint: mean-gap and nitsche
-  std::optional<double> ghost;       // stabilisation of cut and surface cells; 0.01, literal 0
-  bool hold_empty_cells = true;      // a wall in an empty cell next to material keeps its hold
+  Enforcement enforcement = Enforcement::mean_gap;
+  std::optional<double> bandwidth;      // cells, of the stiff constraint; 1e-3, literal 1e-6
+  double gap_bandwidth = 0.05;          // cells, of the moderate constraint: mean-gap and nitsche
+  std::optional<double> ghost_penalty;  // stabilisation of cut and surface cells; 0.01, literal 0
+  bool hold_empty_cells = true;         // a wall in an empty cell next to material keeps its hold
   std::optional<double> reset;       // cells a point moves before the grid is reset; 0.1, literal 0
   std::optional<double> relaxation;  // cells of motion that take up what a reset leaves; 0.5,
                                      // literal 0
   std::optional<bool> update_volumes;  // volumes follow the strain; literal: they stay
   std::optional<bool> b_bar;           // the dilatation of a cell is the mean over its points
-  double largest_penetration = 0.5;    // cells; a point further behind a wall fails the load step
+  double max_penetration = 0.5;        // cells; a point further behind a wall fails the load step
   std::vector<Value> body_force;       // N/m^3, one value an axis
   double tolerance = 1e-10;            // of the out-of-balance force, relative
-  int largest_iterations = 12;         // of Newton's method in one load step
-  int largest_halvings = 6;            // of a load step that fails
-  std::vector<WallSettings> walls;
+  int max_iterations = 12;             // of Newton's method in one load step
+  int max_cutbacks = 6;                // of a load step that fails
+  std::vector<SupportSettings> supports;
   std::vector<TractionSettings> tractions;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("wall_form").text("how walls are imposed where they do not fit the grid"),
-          self.wall_form);
+    visit(Key("enforcement").text("how walls are imposed where they do not fit the grid"),
+          self.enforcement);
     visit(Key("bandwidth")
               .unit("cells")
               .range(0.0, 1.0, true)
@@ -140,9 +141,10 @@ struct QuasiStaticSettings {
               .range(0.0, 1.0, true)
               .text("of the moderate constraint of mean-gap and nitsche"),
           self.gap_bandwidth);
-    visit(Key("ghost").range(0.0, 1.0).text(
-              "stabilisation of cut and surface cells; absent: 0.01, literal none"),
-          self.ghost);
+    visit(Key("ghost_penalty")
+              .range(0.0, 1.0)
+              .text("stabilisation of cut and surface cells; absent: 0.01, literal none"),
+          self.ghost_penalty);
     visit(Key("hold_empty_cells").text("a wall in an empty cell next to material keeps its hold"),
           self.hold_empty_cells);
     visit(Key("reset").unit("cells").range(0.0, 1.0).text(
@@ -165,20 +167,19 @@ struct QuasiStaticSettings {
               "points take the mean dilatation of their cell, so that it does not lock; absent: "
               "those of a Poisson ratio above 0.4"),
           self.b_bar);
-    visit(Key("largest_penetration")
+    visit(Key("max_penetration")
               .unit("cells")
               .positive()
               .text("a point further behind a wall fails the load step"),
-          self.largest_penetration);
+          self.max_penetration);
     visit(Key("body_force").unit("N/m^3").length(0, 3).text("force per volume, one value an axis"),
           self.body_force);
     visit(Key("tolerance").range(0.0, 1e-2, true).text("of the out-of-balance force, relative"),
           self.tolerance);
-    visit(Key("largest_iterations").range(1, 1000).text("of Newton's method in one load step"),
-          self.largest_iterations);
-    visit(Key("largest_halvings").range(0, 30).text("of a load step that fails"),
-          self.largest_halvings);
-    visit(Key("walls").text("where the displacement is prescribed"), self.walls);
+    visit(Key("max_iterations").range(1, 1000).text("of Newton's method in one load step"),
+          self.max_iterations);
+    visit(Key("max_cutbacks").range(0, 30).text("of a load step that fails"), self.max_cutbacks);
+    visit(Key("supports").text("where the displacement is prescribed"), self.supports);
     visit(Key("tractions").text("where forces act on the surface"), self.tractions);
   }
 };

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "lapilli/mpm/grid.hpp"
+#include "lapilli/geometry/grid.hpp"
 
 namespace lapilli {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "lapilli/mpm/grid.hpp"
-#include "lapilli/mpm/shape_function.hpp"
+#include "lapilli/geometry/grid.hpp"
 #include "lapilli/mpm/surface/cube_parts.hpp"
+#include "lapilli/mpm/transfer/shape_function.hpp"
 
 namespace lapilli {
 

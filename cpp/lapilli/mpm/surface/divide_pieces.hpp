@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lapilli/mpm/surface/cut_shape.hpp"
-#include "lapilli/mpm/wall_contact.hpp"
+#include "lapilli/mpm/surface/wall_contact.hpp"
 
 namespace lapilli {
 

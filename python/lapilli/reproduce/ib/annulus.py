@@ -81,7 +81,7 @@ def energy_row(form: str, cell: float) -> Row:
 def turned_hole(cell: float) -> Scene:
     """The hole turned rigidly instead of widened, as a function of place."""
     scene = annulus_scene(cell)
-    hole = section(scene).walls[0]
+    hole = section(scene).supports[0]
     hole.advance = 0.0
     hole.displacement = [
         lambda place, _, time: -TURN * time * place[:, 1],

@@ -11,7 +11,7 @@ from lapilli._core import QuasiStatic, Scene, Simulation
 from lapilli.reproduce.states import Array, changed
 
 MODES: dict[str, tuple[str, ...]] = {
-    "literal": ("quasi_static.wall_form=literal",),
+    "literal": ("quasi_static.enforcement=literal",),
     "default": (),
 }
 FORMS = ("mean-gap", "pointwise", "nitsche", "penalty")
@@ -89,5 +89,5 @@ def in_mode(scene: Scene, mode: str) -> Scene:
 
 def in_form(scene: Scene, form: str, bandwidth: float | None = None) -> Scene:
     """The scene with another form of its walls, and the bandwidth of the stiff constraint."""
-    scene = changed(scene, f"quasi_static.wall_form={form}")
+    scene = changed(scene, f"quasi_static.enforcement={form}")
     return scene if bandwidth is None else changed(scene, f"quasi_static.bandwidth={bandwidth!r}")

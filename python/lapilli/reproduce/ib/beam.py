@@ -27,7 +27,7 @@ TABLE_2 = {
     40: (1.0277e-5, 9.2753e-6),
 }
 MISPRINTED = 40
-# Table 3 by cell (mm), 16 points a cell.
+# Table 3 by cell (mm), 16 points per cell.
 TABLE_3 = {
     10: (9.313e-4, 9.3136e-4),
     5: (3.110e-4, 3.1104e-4),

@@ -48,13 +48,13 @@ def block_scene(degrees: float, cell: float = 0.01) -> Scene:
     frame = Frame(degrees)
     scene.grid = grid_around(frame.line((0, 0), (SIZE, 0), (SIZE, SIZE), (0, SIZE)), cell)
     scene.bodies[0].shape = frame.box(SIZE, SIZE)
-    section(scene).walls = [
+    section(scene).supports = [
         frame.roller("left", (0, 0), (1, 0)),
         frame.roller("base", (0, 0), (0, 1)),
         frame.roller("top", (0, SIZE), (0, -1)),
         frame.roller("right", (SIZE, 0), (-1, 0)),
     ]
-    section(scene).walls[-1].displacement = ramp(PUSH * frame.e1)
+    section(scene).supports[-1].displacement = ramp(PUSH * frame.e1)
     return scene
 
 

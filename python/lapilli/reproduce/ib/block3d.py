@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from lapilli._core import Box, Grid, HalfSpace, ImplicitWall, Rotated, Scene, Shape
+from lapilli._core import Box, Grid, HalfSpace, Rotated, Scene, Shape, Support
 from lapilli.references.elastic import Elastic
 from lapilli.reproduce.case import Case, Row, example, within
 from lapilli.reproduce.ib.balance import MODES, balance, in_mode, section
@@ -61,9 +61,9 @@ def cube_scene(degrees: tuple[float, float, float]) -> Scene:
                 point=list(CORNER + end * SIZE * sides[:, axis]),
                 normal=list((1 - 2 * end) * sides[:, axis]),
             )
-            walls.append(ImplicitWall(name=f"{'xyz'[axis]} {name}", kind="roller", shape=face))
+            walls.append(Support(name=f"{'xyz'[axis]} {name}", kind="roller", shape=face))
     walls[1].displacement = ramp(STRAIN * SIZE * sides[:, 0])
-    section(scene).walls = walls
+    section(scene).supports = walls
     return scene
 
 

@@ -57,7 +57,7 @@ def cantilever_scene(
     room = np.concatenate([corners, corners - (0.11 if steps > 1 else 0.0) * frame.e2])
     scene.grid = grid_around(room, cell, 4.0 if steps > 1 else 1.0)
     scene.bodies[0].shape = frame.box(LENGTH, HEIGHT)
-    section(scene).walls[0].line = frame.line((LENGTH, 0), (LENGTH, HEIGHT))
+    section(scene).supports[0].line = frame.line((LENGTH, 0), (LENGTH, HEIGHT))
     section(scene).body_force = ramp(-force * frame.e2)
     return scene
 

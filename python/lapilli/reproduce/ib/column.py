@@ -40,7 +40,7 @@ def column_scene(degrees: float, cell: float) -> Scene:
     scene.grid = grid_around(frame.line((0, 0), (SIZE, 0), (SIZE, SIZE), (0, SIZE)), cell)
     scene.bodies[0].shape = frame.box(SIZE, SIZE)
     section(scene).body_force = ramp(-WEIGHT * frame.e2)
-    section(scene).walls = [
+    section(scene).supports = [
         frame.roller("left", (0, 0), (1, 0)),
         frame.roller("right", (SIZE, 0), (-1, 0)),
         frame.roller("base", (0, 0), (0, 1)),

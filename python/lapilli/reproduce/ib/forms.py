@@ -85,7 +85,7 @@ def cost(scene: str, form: str) -> Cost:
     """Error, condition estimate and time of one load step; the best of three runs."""
     _, make, error = SCENES[scene]
     bandwidth = BANDWIDTHS[form]
-    prepared = changed(in_form(make(), form, bandwidth), "quasi_static.ghost=0.01")
+    prepared = changed(in_form(make(), form, bandwidth), "quasi_static.ghost_penalty=0.01")
     seconds = []
     for _ in range(3):
         started = time.perf_counter()
@@ -160,7 +160,7 @@ def studies(quick: bool) -> dict[str, Table]:
             {
                 "grid.cell": cells[:2] if quick else cells,
                 "bodies.0.points_per_cell": (4, 16),
-                "quasi_static.wall_form": FORMS,
+                "quasi_static.enforcement": FORMS,
             },
             reference,
             field="displacement",
@@ -184,7 +184,7 @@ def tradeoff_picture(folder: Path, quick: bool) -> Path:
                 lines.setdefault(rest, []).append((cost_of(row_), error_of(row_)))
         for (points, form), marks in lines.items():
             style = "o-" if points == "16" else "s--"
-            label = f"{form}, {points} points a cell"
+            label = f"{form}, {points} points per cell"
             panel.loglog(
                 *zip(*marks, strict=True), style, ms=4, label=label, color=f"C{FORMS.index(form)}"
             )

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from lapilli._core import Grid, HalfSpace, ImplicitWall, Polygon
+from lapilli._core import Grid, HalfSpace, Polygon, Support
 from lapilli.reproduce.states import Array
 
 Place = tuple[float, float]
@@ -16,7 +16,7 @@ Place = tuple[float, float]
 
 @dataclass(frozen=True)
 class Frame:
-    """Axes e1, e2 turned by `degrees` anticlockwise about the corner of a body; exact at quarters.
+    """Axes e1, e2 turned by `degrees` counter-clockwise about a corner; exact at quarters.
 
     Local coordinates (x, y) are along e1 and e2 from `corner`, m.
     """
@@ -58,9 +58,9 @@ class Frame:
         normal = into[0] * self.e1 + into[1] * self.e2
         return HalfSpace(point=list(self.at(*at)), normal=list(normal))
 
-    def roller(self, name: str, at: Place, into: Place) -> ImplicitWall:
+    def roller(self, name: str, at: Place, into: Place) -> Support:
         """A solid that stops motion across its face."""
-        return ImplicitWall(name=name, kind="roller", shape=self.half_space(at, into))
+        return Support(name=name, kind="roller", shape=self.half_space(at, into))
 
 
 def _exact(value: float) -> float:

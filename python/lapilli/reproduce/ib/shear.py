@@ -35,7 +35,7 @@ def shear_scene(place: float, per_axis: int = 20) -> Scene:
         [[left, 0.0], [right, 0.0]],
         [[right, SIZE], [left, SIZE]],
     )
-    for wall, line in zip(section(scene).walls, lines, strict=True):
+    for wall, line in zip(section(scene).supports, lines, strict=True):
         wall.line = line
     return scene
 

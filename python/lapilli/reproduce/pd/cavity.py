@@ -85,7 +85,7 @@ def measured(rayleigh: float, rows: int, end: float, *settings: str) -> Measured
     simulation = Simulation(scene(rayleigh, rows, *settings))
     begin = 0.8 * end
     simulation.run_until(begin)
-    before = simulation.ledger()[0].entries
+    before = simulation.balance()[0].entries
     profiles, locals_, means = [], [], []
     for look in range(1, LOOKS + 1):
         simulation.run_until(begin + (end - begin) * look / LOOKS)
@@ -95,7 +95,7 @@ def measured(rayleigh: float, rows: int, end: float, *settings: str) -> Measured
         means.append(carried_nusselt(state, axis=0))
     given = {
         name: (heat - before[name]) / (end - begin)
-        for name, heat in simulation.ledger()[0].entries.items()
+        for name, heat in simulation.balance()[0].entries.items()
     }
     horizontal, vertical, temperature = np.mean(profiles, axis=0)
     return Measured(

@@ -58,11 +58,11 @@ class Deposit:
 def collapsed(aspect: float, cell: float) -> Deposit:
     """The deposit of a column of this aspect."""
     simulation = Simulation(scene(aspect, cell))
-    before = simulation.diagnostics()["momentum/potential_energy"]
+    before = simulation.diagnostics()["dynamics/potential_energy"]
     simulation.run_until(simulation.end)
-    released = before - simulation.diagnostics()["momentum/potential_energy"]
-    energy = next(account for account in simulation.ledger() if account.quantity == "energy")
-    left = energy.stored - energy.initial - energy.taken_in
+    released = before - simulation.diagnostics()["dynamics/potential_energy"]
+    energy = next(account for account in simulation.balance() if account.quantity == "energy")
+    left = energy.stored - energy.initial - energy.supplied
     position = simulation["position"]
     column = np.floor(position[:, 0] / cell).astype(int)
     profile = [((k + 0.5) * cell, float(position[column == k, 1].max())) for k in np.unique(column)]

@@ -1,10 +1,10 @@
 """Section 4.6: a column of soil that collapses while convection heats it.
 
 The paper shows pictures only, and reports that its own method gives wrong temperatures with 4 and
-9 points a cell. So the rows compare runs with few points a cell with one of 25 of the same recipe,
-on the nodes that both fill, and show the paper's operator beside. Heat that starts at 1.5 s, when
-the column has already spread, is the harder test. The three grids have 9 points a cell: with 25,
-as in the paper, the finest would take three times as long and differ by 0.1 %.
+9 points per cell. So the rows compare runs with few points per cell with one of 25 of the same
+recipe, on the nodes that both fill, and show the paper's operator beside. Heat that starts at
+1.5 s, when the column has already spread, is the harder test. The three grids have 9 points per
+cell: with 25, as in the paper, the finest would take three times as long and differ by 0.1 %.
 """
 
 from __future__ import annotations
@@ -43,13 +43,13 @@ def run(quick: bool) -> list[Row]:
 
 
 def compared(text: str, setting: Setting, bars: dict[int, tuple[float, float]]) -> list[Row]:
-    """Few points a cell beside 25 of the same recipe."""
+    """Few points per cell beside 25 of the same recipe."""
     reference = column(setting)
     rows = []
     for points, (rms_bar, heat_bar) in bars.items():
         few = column(replace(setting, points=points))
         found, heat = difference(few, reference, setting.cell)
-        words = f"{text}, {points} points a cell"
+        words = f"{text}, {points} points per cell"
         rows += [
             row(words, f"RMS against 25 at {TIME:g} s", found, within(found, rms_bar),
                 unit="% of span"),
@@ -64,9 +64,9 @@ def range_rows(text: str, setting: Setting) -> list[Row]:
     beyond = max(max(-one.low, one.high - 1) for one in runs)
     residual = max(one.residual for one in runs)
     return [
-        row(f"{text}, 25, 9 and 4 points a cell", "temperature beyond [0, 1]",
+        row(f"{text}, 25, 9 and 4 points per cell", "temperature beyond [0, 1]",
             max(beyond, 0.0), (f"<= {RANGE:g}", beyond <= RANGE), unit="K"),
-        row(f"{text}, 25, 9 and 4 points a cell", "heat stored - taken in, relative",
+        row(f"{text}, 25, 9 and 4 points per cell", "heat stored - taken in, relative",
             residual, within(residual, 1e-10)),
     ]  # fmt: skip
 
@@ -79,7 +79,7 @@ def paper_rows() -> list[Row]:
         failing = column(Setting(points=points, paper=True, late=True))
         found, _ = difference(failing, reference, 0.1)
         rows.append(
-            row(f"method paper, linear, FLIP, heated from 1.5 s on, {points} points a cell",
+            row(f"method paper, linear, FLIP, heated from 1.5 s on, {points} points per cell",
                 f"RMS against 25 at {TIME:g} s", found,
                 (f"> {least:g}, fails", not found <= least), unit="% of span")
         )  # fmt: skip
@@ -94,13 +94,13 @@ def grid_rows() -> list[Row]:
         for step, gap in enumerate(found[:, place]):
             rows.append(
                 row(f"default, h = {CELLS[step]:g} beside {CELLS[step + 1]:g} m, "
-                    f"{GRID_POINTS} points a cell",
+                    f"{GRID_POINTS} points per cell",
                     f"largest difference of the temperature at {name} to {TIME:g} s", gap,
                     within(gap, GRID_BAR), unit="K")
             )  # fmt: skip
         ratio = found[1, place] / found[0, place]
         rows.append(
-            row(f"default, three grids, {GRID_POINTS} points a cell",
+            row(f"default, three grids, {GRID_POINTS} points per cell",
                 f"second difference over first at {name}", ratio, ("< 1", bool(ratio < 1)))
         )  # fmt: skip
     return rows

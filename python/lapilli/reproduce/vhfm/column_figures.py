@@ -30,8 +30,10 @@ SPANS = {EARLY: (0.0, 0.8), TIME: (0.75, 1.0)}  # K, of the colours
 
 def draw(folder: Path, quick: bool) -> list[Path]:
     """All of them; `quick` leaves out the finest grid."""
-    by_points = {f"{points} points a cell": Setting(points=points) for points in POINTS}
-    of_paper = {f"{points} points a cell": Setting(points=points, paper=True) for points in POINTS}
+    by_points = {f"{points} points per cell": Setting(points=points) for points in POINTS}
+    of_paper = {
+        f"{points} points per cell": Setting(points=points, paper=True) for points in POINTS
+    }
     by_cell = {
         f"h = {cell:g} m": Setting(cell=cell, points=GRID_POINTS)
         for cell in (CELLS[:2] if quick else CELLS)

@@ -38,7 +38,7 @@ class Setting:
             example(NAME),
             f"grid.cell={self.cell!r}",
             f"bodies.0.points_per_cell={self.points}",
-            f"bodies.0.material.0.friction={self.friction!r}",
+            f"bodies.0.material.0.friction_angle={self.friction!r}",
             f"heat.boundaries.0.coefficient={self.coefficient!r}",
         )
         if self.friction < 25:
@@ -49,7 +49,7 @@ class Setting:
                 'grid.shape_function="linear"',
                 'heat.method="paper"',
                 'heat.transfer="flip"',
-                "heat.implicit_exchange=false",
+                "heat.implicit_robin=false",
             )
         if self.late:
             start = Table(times=[LATE, LATE + 1e-9], values=[0.0, self.coefficient])
@@ -104,13 +104,13 @@ def run_of(scene: Scene) -> Run:
         history.append([float(temperature[rows].mean()) for rows in near])
         if time in (EARLY, TIME):
             states[float(time)] = heated(simulation)
-    ledger = next(account for account in simulation.ledger() if account.quantity == "heat")
+    balance = next(account for account in simulation.balance() if account.quantity == "heat")
     return Run(
         early=states[EARLY],
         final=states[TIME],
         history=np.array(history),
-        heat=ledger.stored - ledger.initial,
-        residual=abs(ledger.residual),
+        heat=balance.stored - balance.initial,
+        residual=abs(balance.residual),
         low=low,
         high=high,
     )

@@ -106,7 +106,7 @@ def rim_lengths(scene: Scene) -> tuple[float, float]:
     ]
     simulation = Simulation(scene)
     simulation.step()
-    heat = simulation.ledger()[0].entries
+    heat = simulation.balance()[0].entries
     per_length = 1 / (2 * np.pi * simulation.time)
     return heat["outer"] * per_length / OUTER, heat["inner"] * per_length / INNER
 

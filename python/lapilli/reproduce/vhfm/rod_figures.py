@@ -93,7 +93,7 @@ def draw_convergence(folder: Path, quick: bool) -> Path:
         for method, name in (("paper", "literal: virtual flux"), ("particle", "literal: points")):
             errors = [literal_errors(law, method, cell, False)[-1] for cell in cells]
             convergence(axes[0, column], cells, errors, name)
-        kept = [default_errors(law, cell, False, "kept")[-1] for cell in cells]
+        kept = [default_errors(law, cell, False, "nodal")[-1] for cell in cells]
         convergence(axes[0, column], cells, kept, "default", "s-")
         slope(axes[0, column], cells, 2 * kept[0], 2)
         axes[0, column].set_title(f"{law}, {TIMES[law][-1]:g} s, not conforming")

@@ -26,7 +26,7 @@ BARS = (
     0.25,
     0.14,
     0.05,
-)  # K, RMSE of the defaults at these times, 8 or 27 points a cell
+)  # K, RMSE of the defaults at these times, 8 or 27 points per cell
 # RMSE and area over the true one of the paper's algorithm in an independent implementation.
 LITERAL_ERRORS = {8: (1.46, 1.83, 2.02, 1.74, 0.88), 27: (1.87, 2.34, 2.59, 2.23, 1.13)}
 LITERAL_AREA = {8: 0.912, 27: 0.892}
@@ -67,7 +67,7 @@ def area_share(scene: Scene) -> float:
 
 
 def run(quick: bool) -> list[Row]:
-    """The defaults with 8 points a cell; without `quick` also 27, later times, and the paper's
+    """The defaults with 8 points per cell; without `quick` also 27, later times, and the paper's
     algorithm, which takes minutes."""
     times = TIMES[:2] if quick else TIMES
     rows = [row for ppc in ((8,) if quick else (8, 27)) for row in default_rows(ppc, times)]
@@ -80,7 +80,7 @@ def default_rows(points_per_cell: int, times: tuple[float, ...]) -> list[Row]:
     """lapilli's defaults against the exact field."""
     scene = sphere_scene(points_per_cell)
     found = errors(scene, times)
-    setting = f"default, {points_per_cell} points a cell, h = 0.2 m"
+    setting = f"default, {points_per_cell} points per cell, h = 0.2 m"
     rows = [
         row(setting, f"RMSE at {time:g} s", found[k], within(found[k], BARS[k]), unit="K")
         for k, time in enumerate(times)
@@ -89,13 +89,13 @@ def default_rows(points_per_cell: int, times: tuple[float, ...]) -> list[Row]:
 
 
 def literal_rows(points_per_cell: int) -> list[Row]:
-    """The paper's algorithm. More points a cell make it worse, which the paper denies.
+    """The paper's algorithm. More points per cell make it worse, which the paper denies.
 
     Looked at in time: the paper has no table here that could show a late look, and the independent
     implementation has none either. One step of 0.01 s is a fifth of the error at 0.5 s.
     """
     scene = literal(sphere_scene(points_per_cell), STEP)
-    setting = f"literal, {points_per_cell} points a cell, h = 0.2 m"
+    setting = f"literal, {points_per_cell} points per cell, h = 0.2 m"
     rows = []
     for k, found in enumerate(errors(scene, TIMES)):
         reference = LITERAL_ERRORS[points_per_cell][k]

@@ -1,0 +1,263 @@
+#include "lapilli/mpm/dynamics/dynamics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/dynamics/point_kernel.hpp"
+#include "lapilli/mpm/dynamics/project_to_grid.hpp"
+#include "lapilli/mpm/dynamics/stable_choice.hpp"
+#include "lapilli/mpm/dynamics/update_points.hpp"
+
+namespace lapilli {
+
+template <int Dim>
+Dynamics<Dim>::Dynamics(Points& points, const DynamicsProblem<Dim>& problem)
+    : data_(points, problem) {
+  require_stable_choice(data_);
+  start_affine(problem);
+  data_.order.update(points);
+  if (!problem.settings.boundaries.empty()) {
+    loads_ = std::make_unique<SurfaceLoads<Dim>>(data_, problem);
+  }
+  if (!problem.settings.obstacles.empty()) {
+    obstacles_ = std::make_unique<Obstacles<Dim>>(data_, problem);
+  }
+  ordering_ = points.ordering();
+  for (Index row = 0; row < points.size(); ++row) {
+    const StressMaterial& material = data_.materials[points.body()[row]];
+    const double stiffness = material.wave_modulus * points.volume()[row] / data_.mass[row];
+    wave_speed_ = std::max(wave_speed_, std::sqrt(stiffness));
+    speed_ = std::max(speed_, Eigen::Map<const Vec<Dim>>(data_.velocity.data() + row * Dim).norm());
+    total_mass_ += data_.mass[row];
+  }
+  kinetic_ = kinetic_energy();
+  const double elastic = elastic_energy_stored();
+  initial_energy_ = kinetic_ + potential_energy() + elastic;
+  watch_ = EnergyWatch(elastic);
+  initial_momentum_ = linear_momentum();
+}
+
+template <int Dim>
+StepReport Dynamics<Dim>::advance(const Step& step) {
+  if (data_.points.carry_gradients()) {
+    incremental_deformation();
+  }
+  keep_order(step.size);
+  project_to_grid(data_, step.size);
+  if (loads_) {
+    loads_->add_forces(data_, step.time);
+  }
+  const NodeSums nodes = solve_nodes(step);
+  const double load_work = loads_ ? loads_->work() : 0.0;
+  if (loads_) {
+    loads_->book(data_, step.size);
+  }
+  PointSums velocities;
+  if (data_.settings.stress_update == StressUpdate::musl) {
+    velocities = update_velocities(data_, step.size);
+    divide_second_velocity(data_);
+    if (obstacles_) {
+      obstacles_->push_again(data_);
+    }
+    hold_second_velocity(data_);
+  }
+  PointSums sums = update_points(data_, step.size);
+  sums.kinetic += velocities.kinetic;
+  sums.speed = std::max(sums.speed, velocities.speed);
+  stop_if_broken(sums);
+
+  flows_.plastic += sums.plastic;
+  flows_.expansion += sums.expansion;
+  flows_.friction -= nodes.friction;
+  flows_.impact -= nodes.impact;
+  flows_.transfer += (kinetic_ - nodes.kinetic_before) + (nodes.kinetic_after - sums.kinetic);
+  const double internal_work = nodes.force_work - (loads_ ? loads_->work() - load_work : 0.0);
+  flows_.strain -= internal_work + sums.strain_work;
+  flows_.gravity += step.size * total_mass_ * data_.gravity;
+  flows_.walls += nodes.wall_impulse;
+  kinetic_ = sums.kinetic;
+  const double moved = step.size * std::max(speed_, sums.speed);
+  drift_ += moved;
+  if (obstacles_) {
+    obstacles_->finish_step(step, moved, !data_.moves_with_mean);
+  }
+  speed_ = sums.speed;
+  wave_speed_ = sums.wave_speed;
+  squeezing_ = (1.0 - sums.least_volume) / step.size;
+  watch_energy(sums);
+  carry_points();
+  return {.accepted = step.size};
+}
+
+/// Forces, then obstacles, then walls, which have the last word at the nodes they share.
+template <int Dim>
+NodeSums Dynamics<Dim>::solve_nodes(const Step& step) {
+  NodeSums sums = accelerate_nodes(data_, step.size);
+  if (obstacles_) {
+    obstacles_->push(data_, step, speed_, sums);
+  }
+  hold_nodes(data_, step.size, sums);
+  return sums;
+}
+
+/// Gradients that other physics keep on the points turn and stretch with them.
+template <int Dim>
+void Dynamics<Dim>::carry_points() {
+  if (!data_.points.carry_gradients()) {
+    data_.points.moved();
+    return;
+  }
+  const double* gradient = data_.deformation->data();
+  data_.points.template moved<Dim>([gradient](Index row) -> Mat<Dim> {
+    using RowMajor = Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>;
+    return Mat<Dim>::Identity() + Eigen::Map<const RowMajor>(gradient + row * Dim * Dim);
+  });
+}
+
+/// Sort when points may have drifted half a cell: strips stay apart, and cells stay runs of points.
+template <int Dim>
+void Dynamics<Dim>::keep_order(double step) {
+  const bool far = drift_ + step * speed_ > 0.5 * data_.grid.cell_size();
+  if (far) {
+    data_.order.sort(data_.points);
+    drift_ = 0.0;
+  } else if (ordering_ != data_.points.ordering()) {
+    data_.order.update(data_.points);
+  }
+  ordering_ = data_.points.ordering();
+}
+
+template <int Dim>
+void Dynamics<Dim>::stop_if_broken(const PointSums& sums) const {
+  if (sums.outside) {
+    require_inside(data_.grid, data_.points);
+  }
+  if (sums.least_volume > 0.0) {
+    return;
+  }
+  for (Index row = 0; row < data_.points.size(); ++row) {
+    if (!(data_.points.volume()[row] > 0.0)) {
+      throw RunError(message("point ", data_.points.id()[row], " of body ",
+                             data_.points.body()[row], ": its volume became ",
+                             data_.points.volume()[row],
+                             " in one step; the step is too large for this deformation"));
+    }
+  }
+}
+
+/// Since the start, J; what dissipates counts against it. Strain is half a step ahead of the force
+/// that answers it: what that is worth is no gain.
+template <int Dim>
+double Dynamics<Dim>::energy_gained() const {
+  return -(flows_.transfer + flows_.strain + flows_.friction + flows_.impact + ahead_);
+}
+
+template <int Dim>
+void Dynamics<Dim>::watch_energy(const PointSums& sums) {
+  ahead_ = sums.work_ahead;
+  const double gained = energy_gained();
+  // What strains of 1e-8 store.
+  const double rounding = 1e-16 * total_mass_ * wave_speed_ * wave_speed_;
+  if (!watch_.add_step(sums.kinetic, sums.strain_work, gained, rounding)) {
+    throw RunError(
+        message("the motion has gained ", gained, " J that nothing put in, ",
+                100.0 * gained / watch_.largest(), " % of its largest energy: dynamics.transfer ",
+                name_of(data_.settings.transfer), " with ", name_of(data_.settings.stress_update),
+                " and ", name_of(data_.shape),
+                " functions is unstable here; blended_apic with musl and gimp, or a smaller "
+                "dynamics.courant, may hold"));
+  }
+}
+
+template <int Dim>
+StepLimit Dynamics<Dim>::step_limit() const {
+  const double h = data_.grid.cell_size(), safety = data_.settings.courant;
+  const double crossing = h / (wave_speed_ + speed_ + (obstacles_ ? obstacles_->speed() : 0.0));
+  const double g = data_.gravity.norm();
+  if (g > 0.0 && std::sqrt(h / g) < crossing) {
+    const double fall = std::sqrt(h / g);
+    return {.hard = fall,
+            .automatic = safety * fall,
+            .reason = message("explicit dynamics: a gravity of ", g,
+                              " m/s^2 takes points across one cell of ", h, " m; safety ", safety)};
+  }
+  // A point that lost much of its volume in the last step loses a quarter at most in the next.
+  const double squeezing = squeezing_ > 0.0 ? 0.25 / squeezing_ : crossing;
+  return {.hard = crossing,
+          .automatic = std::min(safety * crossing, squeezing),
+          .reason = message("explicit dynamics: a wave of ", wave_speed_, " m/s on points of ",
+                            speed_, " m/s may cross one cell of ", h, " m; safety ", safety,
+                            squeezing < safety * crossing ? "; points lose volume fast" : "")};
+}
+
+template <int Dim>
+void Dynamics<Dim>::start_affine(const DynamicsProblem<Dim>& problem) {
+  if (!data_.affine) {
+    return;
+  }
+  const Grid<Dim>& grid = data_.grid;
+  const double reach = 0.25 * grid.cell_size();
+  with_transfer(data_.shape, data_.settings.transfer,
+                [&]<class Shape, VelocityTransfer transfer>() {
+                  const ShapeOfBody<Shape> shape_of(data_.half_widths);
+                  for (Index row = 0; row < data_.points.size(); ++row) {
+                    const Index body = data_.points.body()[row];
+                    const auto& velocity = problem.bodies[body].velocity;
+                    if (!velocity) {
+                      continue;
+                    }
+                    const AxisWeights<Dim, Shape> axes(grid, shape_of(body),
+                                                       data_.points.position().data() + row * Dim);
+                    Vec3 place = Vec3::Zero();
+                    place.head<Dim>() = data_.points.template position<Dim>(row);
+                    for (int along = 0; along < Dim; ++along) {
+                      const Vec3 to_side = reach * Vec3::Unit(along);
+                      const Vec3 slope =
+                          (velocity(place + to_side) - velocity(place - to_side)) / (2.0 * reach);
+                      const double scale = transfer == VelocityTransfer::apic
+                                               ? second_moment(axes, grid.cell_size(), along)
+                                               : 1.0;
+                      for (int axis = 0; axis < Dim; ++axis) {
+                        (*data_.affine)[row * Dim * Dim + axis * Dim + along] = scale * slope[axis];
+                      }
+                    }
+                  }
+                });
+}
+
+template <int Dim>
+const PointArray& Dynamics<Dim>::incremental_deformation() {
+  if (!data_.deformation) {
+    data_.deformation = std::make_unique<PointArray>(data_.points, Dim * Dim);
+  }
+  return *data_.deformation;
+}
+
+template <int Dim>
+PointArray& Dynamics<Dim>::plastic_work() {
+  if (!data_.plastic) {
+    data_.plastic = std::make_unique<PointArray>(data_.points, 1);
+  }
+  return *data_.plastic;
+}
+
+template <int Dim>
+PointArray& Dynamics<Dim>::free_strain() {
+  if (!data_.free_strain) {
+    data_.free_strain = std::make_unique<PointArray>(data_.points, 1);
+  }
+  return *data_.free_strain;
+}
+
+template <int Dim>
+std::unique_ptr<Dynamics<Dim>> make_dynamics(Points& points, const DynamicsProblem<Dim>& problem) {
+  return std::make_unique<Dynamics<Dim>>(points, problem);
+}
+
+template class Dynamics<2>;
+template class Dynamics<3>;
+template std::unique_ptr<Dynamics<2>> make_dynamics(Points&, const DynamicsProblem<2>&);
+template std::unique_ptr<Dynamics<3>> make_dynamics(Points&, const DynamicsProblem<3>&);
+
+}  // namespace lapilli

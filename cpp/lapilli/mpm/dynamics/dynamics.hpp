@@ -1,0 +1,94 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lapilli/core/warnings.hpp"
+#include "lapilli/mpm/dynamics/dynamics_data.hpp"
+#include "lapilli/mpm/dynamics/energy_watch.hpp"
+#include "lapilli/mpm/dynamics/obstacles/obstacles.hpp"
+#include "lapilli/mpm/dynamics/solve_nodes.hpp"
+#include "lapilli/mpm/dynamics/surface_loads.hpp"
+
+namespace lapilli {
+
+/// Explicit dynamics balance of material points in plane strain (Dim = 2, per metre of depth) or
+/// space. Owns velocity and stress, and moves the points.
+template <int Dim>
+class Dynamics final : public Physics, public HasSurface, public Warnings {
+ public:
+  /// Throws std::invalid_argument for settings, materials or points out of range.
+  Dynamics(Points& points, const DynamicsProblem<Dim>& problem);
+
+  std::string name() const override { return "dynamics"; }
+  StepLimit step_limit() const override;
+  StepReport advance(const Step& step) override;
+  void refresh_output() override;
+  std::vector<Field> fields() override;
+  std::vector<Balance> balances() const override;
+  SurfaceView surface() const override;
+  void save(Archive& archive) const override;
+  void load(const Archive& archive) override;
+  std::vector<std::pair<std::string, double>> diagnostics() const override;
+  /// Settings that make the answer depend on the numerics.
+  std::vector<std::string> warnings() const override { return lapilli::warnings(data_.settings); }
+
+  // Handles for other physics. Asking for one allocates it; call before the first step.
+
+  /// Incremental deformation gradient of the last step minus one, Dim x Dim a row.
+  const PointArray& incremental_deformation();
+  /// Heat that plastic work left in each point since its owner last set it to zero, J.
+  PointArray& plastic_work();
+  /// Isotropic free strain (of heat, of moisture) that the next step shall contain; taken as it is
+  /// and left for its owner to set again.
+  PointArray& free_strain();
+
+  const PointArray& velocity() const { return data_.velocity; }  // m/s
+  const PointArray& stress() const { return data_.stress; }      // Pa; xx yy zz xy (yz xz)
+  const PointArray& mass() const { return data_.mass; }          // kg
+
+  /// Angular momentum about the origin, affine part included, kg m2/s.
+  Vec3 angular_momentum() const;
+
+ private:
+  /// Everything that has passed through an account since the start.
+  struct Flows {
+    double plastic = 0.0, friction = 0.0, impact = 0.0, transfer = 0.0;  // J, taken out
+    double strain = 0.0;     // J, taken from the nodes and not given to the points
+    double expansion = 0.0;  // J, given by free strain
+    Vec3 gravity = Vec3::Zero(), walls = Vec3::Zero();  // N s, given
+  };
+
+  void start_affine(const DynamicsProblem<Dim>& problem);
+  void keep_order(double step);
+  NodeSums solve_nodes(const Step& step);
+  void carry_points();
+  void stop_if_broken(const PointSums& sums) const;
+  void watch_energy(const PointSums& sums);
+  double energy_gained() const;
+  double kinetic_energy() const;
+  double potential_energy() const;
+  double elastic_energy_stored() const;
+  Vec3 linear_momentum() const;
+
+  DynamicsData<Dim> data_;
+  std::unique_ptr<SurfaceLoads<Dim>> loads_;   // null without boundaries
+  std::unique_ptr<Obstacles<Dim>> obstacles_;  // null without any
+  Flows flows_;
+  EnergyWatch watch_;
+  double total_mass_ = 0.0;
+  double initial_energy_ = 0.0, kinetic_ = 0.0;  // J
+  Vec3 initial_momentum_ = Vec3::Zero();
+  double speed_ = 0.0, wave_speed_ = 0.0;  // m/s, largest
+  double ahead_ = 0.0;                     // J, of the strain before the force that answers it
+  double squeezing_ = 0.0;                 // 1/s, largest rate at which a point lost volume
+  double drift_ = 0.0;                     // m, since the points were sorted
+  Index ordering_ = -1;
+  std::vector<double> output_stress_, output_density_;
+};
+
+/// The momentum solver of a problem.
+template <int Dim>
+std::unique_ptr<Dynamics<Dim>> make_dynamics(Points& points, const DynamicsProblem<Dim>& problem);
+
+}  // namespace lapilli

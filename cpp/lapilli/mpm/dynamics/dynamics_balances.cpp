@@ -1,0 +1,221 @@
+// What momentum stores and shows: energies, momenta, balances and fields.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <iterator>
+
+#include "lapilli/core/parallel.hpp"
+#include "lapilli/mpm/dynamics/dynamics.hpp"
+#include "lapilli/mpm/dynamics/point_kernel.hpp"
+
+namespace lapilli {
+namespace {
+
+constexpr const char* momentum_names[] = {"momentum x", "momentum y", "momentum z"};
+
+template <int Dim>
+SymmetricTensor stress_of(const DynamicsData<Dim>& data, Index row) {
+  constexpr int components = DynamicsData<Dim>::stress_components;
+  SymmetricTensor stress;
+  for (int c = 0; c < components; ++c) {
+    stress[c] = data.stress[row * components + c];
+  }
+  return stress;
+}
+
+/// Second moments of the shape function of a point along every axis, m2.
+template <int Dim>
+Vec<Dim> second_moments(const DynamicsData<Dim>& data, Index row) {
+  Vec<Dim> moments;
+  with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer>() {
+    const ShapeOfBody<Shape> shape_of(data.half_widths);
+    const AxisWeights<Dim, Shape> axes(data.grid, shape_of(data.points.body()[row]),
+                                       data.points.position().data() + row * Dim);
+    for (int axis = 0; axis < Dim; ++axis) {
+      moments[axis] = second_moment(axes, data.grid.cell_size(), axis);
+    }
+  });
+  return moments;
+}
+
+}  // namespace
+
+/// At the start: the affine matrix belongs to the present places of the points.
+template <int Dim>
+double Dynamics<Dim>::kinetic_energy() const {
+  return parallel_sum(data_.points.size(), 0.0, [&](Index row) {
+    double square = Eigen::Map<const Vec<Dim>>(data_.velocity.data() + row * Dim).squaredNorm();
+    if (data_.affine) {
+      const Vec<Dim> moments = second_moments(data_, row);
+      const double* matrix = data_.affine->data() + row * Dim * Dim;
+      for (int k = 0; k < Dim * Dim; ++k) {
+        const double moment = moments[k % Dim];
+        if (moment > 0.0) {
+          square += matrix[k] * matrix[k] *
+                    (data_.settings.transfer == VelocityTransfer::apic ? 1.0 / moment : moment);
+        }
+      }
+    }
+    return 0.5 * data_.mass[row] * square;
+  });
+}
+
+template <int Dim>
+double Dynamics<Dim>::potential_energy() const {
+  const Vec<Dim> gravity = data_.gravity.template head<Dim>();
+  return parallel_sum(data_.points.size(), 0.0, [&](Index row) {
+    return -data_.mass[row] * gravity.dot(data_.points.template position<Dim>(row));
+  });
+}
+
+template <int Dim>
+double Dynamics<Dim>::elastic_energy_stored() const {
+  return parallel_sum(data_.points.size(), 0.0, [&](Index row) {
+    return data_.points.volume()[row] *
+           elastic_energy(data_.materials[data_.points.body()[row]], stress_of(data_, row));
+  });
+}
+
+template <int Dim>
+Vec3 Dynamics<Dim>::linear_momentum() const {
+  return parallel_sum(data_.points.size(), Vec3(Vec3::Zero()), [&](Index row) {
+    Vec3 momentum = Vec3::Zero();
+    momentum.head<Dim>() =
+        data_.mass[row] * Eigen::Map<const Vec<Dim>>(data_.velocity.data() + row * Dim);
+    return momentum;
+  });
+}
+
+template <int Dim>
+Vec3 Dynamics<Dim>::angular_momentum() const {
+  return parallel_sum(data_.points.size(), Vec3(Vec3::Zero()), [&](Index row) {
+    Vec3 place = Vec3::Zero(), velocity = Vec3::Zero();
+    place.head<Dim>() = data_.points.template position<Dim>(row);
+    velocity.head<Dim>() = Eigen::Map<const Vec<Dim>>(data_.velocity.data() + row * Dim);
+    Vec3 moment = place.cross(velocity);
+    if (data_.affine) {
+      // sum S (x_I - x) x v_I: the antisymmetric part of sum v_I (x_I - x) S.
+      const Vec<Dim> moments = data_.settings.transfer == VelocityTransfer::apic
+                                   ? Vec<Dim>(Vec<Dim>::Ones())
+                                   : second_moments(data_, row);
+      Mat3 b = Mat3::Zero();
+      for (int axis = 0; axis < Dim; ++axis) {
+        for (int along = 0; along < Dim; ++along) {
+          b(axis, along) = (*data_.affine)[(row * Dim + axis) * Dim + along] * moments[along];
+        }
+      }
+      moment += Vec3(b(2, 1) - b(1, 2), b(0, 2) - b(2, 0), b(1, 0) - b(0, 1));
+    }
+    return Vec3(data_.mass[row] * moment);
+  });
+}
+
+template <int Dim>
+std::vector<Balance> Dynamics<Dim>::balances() const {
+  const double elastic = elastic_energy_stored();
+  const double stored = kinetic_ + potential_energy() + elastic;
+  std::vector<Balance> all;
+  all.push_back({"energy",
+                 "J",
+                 initial_energy_,
+                 stored,
+                 {{"plastic", -flows_.plastic},
+                  {"wall friction", -flows_.friction},
+                  {"wall impact", -flows_.impact},
+                  {"transfer", -flows_.transfer},
+                  {"strain transfer", -flows_.strain}},
+                 kinetic_ + elastic});
+  if (data_.free_strain) {
+    all.back().entries.push_back({"expansion", flows_.expansion});
+  }
+  if (loads_) {
+    std::ranges::copy(loads_->work_entries(), std::back_inserter(all.back().entries));
+  }
+  if (obstacles_) {
+    std::ranges::copy(obstacles_->work_entries(), std::back_inserter(all.back().entries));
+  }
+  const Vec3 now = linear_momentum();
+  for (int axis = 0; axis < Dim; ++axis) {
+    all.push_back({momentum_names[axis],
+                   "kg m/s",
+                   initial_momentum_[axis],
+                   now[axis],
+                   {{"gravity", flows_.gravity[axis]}, {"walls", flows_.walls[axis]}},
+                   total_mass_ * speed_});
+    if (loads_) {
+      std::ranges::copy(loads_->impulse_entries(axis), std::back_inserter(all.back().entries));
+    }
+    if (obstacles_) {
+      std::ranges::copy(obstacles_->impulse_entries(axis), std::back_inserter(all.back().entries));
+    }
+  }
+  return all;
+}
+
+template <int Dim>
+SurfaceView Dynamics<Dim>::surface() const {
+  return loads_ ? loads_->surface() : SurfaceView{};
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, double>> Dynamics<Dim>::diagnostics() const {
+  std::vector<std::pair<std::string, double>> all{{"kinetic energy", kinetic_},
+                                                  {"elastic energy", elastic_energy_stored()},
+                                                  {"potential energy", potential_energy()},
+                                                  {"plastic dissipation", flows_.plastic},
+                                                  {"wall friction", flows_.friction},
+                                                  {"wall impact", flows_.impact},
+                                                  {"transfer loss", flows_.transfer},
+                                                  {"strain transfer loss", flows_.strain},
+                                                  {"expansion work", flows_.expansion},
+                                                  {"energy gained", energy_gained()},
+                                                  {"load work", loads_ ? loads_->work() : 0.0}};
+  if (obstacles_) {
+    std::ranges::copy(obstacles_->diagnostics(), std::back_inserter(all));
+  }
+  return all;
+}
+
+template <int Dim>
+void Dynamics<Dim>::refresh_output() {
+  const Index count = data_.points.size();
+  output_stress_.resize(static_cast<std::size_t>(6 * count));
+  output_density_.resize(static_cast<std::size_t>(count));
+  parallel_for(count, [&](Index row) {
+    const SymmetricTensor stress = stress_of(data_, row);
+    std::copy(stress.components.begin(), stress.components.end(), output_stress_.data() + 6 * row);
+    output_density_[row] = data_.mass[row] / data_.points.volume()[row];
+  });
+}
+
+template <int Dim>
+std::vector<Field> Dynamics<Dim>::fields() {
+  if (output_density_.empty()) {
+    refresh_output();
+  }
+  return {{"velocity", "m/s", Dim, data_.velocity.values()},
+          {"stress", "Pa", 6, output_stress_},
+          {"density", "kg/m^3", 1, output_density_}};
+}
+
+template double Dynamics<2>::kinetic_energy() const;
+template double Dynamics<3>::kinetic_energy() const;
+template double Dynamics<2>::potential_energy() const;
+template double Dynamics<3>::potential_energy() const;
+template double Dynamics<2>::elastic_energy_stored() const;
+template double Dynamics<3>::elastic_energy_stored() const;
+template Vec3 Dynamics<2>::linear_momentum() const;
+template Vec3 Dynamics<3>::linear_momentum() const;
+template Vec3 Dynamics<2>::angular_momentum() const;
+template Vec3 Dynamics<3>::angular_momentum() const;
+template std::vector<Balance> Dynamics<2>::balances() const;
+template std::vector<Balance> Dynamics<3>::balances() const;
+template std::vector<std::pair<std::string, double>> Dynamics<2>::diagnostics() const;
+template std::vector<std::pair<std::string, double>> Dynamics<3>::diagnostics() const;
+template SurfaceView Dynamics<2>::surface() const;
+template SurfaceView Dynamics<3>::surface() const;
+template void Dynamics<2>::refresh_output();
+template void Dynamics<3>::refresh_output();
+template std::vector<Field> Dynamics<2>::fields();
+template std::vector<Field> Dynamics<3>::fields();
+
+}  // namespace lapilli

@@ -1,0 +1,131 @@
+#include "lapilli/mpm/dynamics/dynamics_data.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/dynamics/point_kernel.hpp"
+
+namespace lapilli {
+
+template <int Dim>
+DynamicsNodes<Dim>::DynamicsNodes(const Grid<Dim>& grid, ShapeFunction shape, StressUpdate update)
+    : limits_strain_(shape == ShapeFunction::linear),
+      size_(grid.node_count() + 4),
+      layer_(grid.node_stride(Dim - 1)) {
+  const int always = 1 + (update == StressUpdate::musl ? 3 : 2) * Dim;
+  limited_ = limits_strain_ ? always : 1;
+  const int arrays = always + (limits_strain_ ? Dim : 0);
+  values_.assign(static_cast<std::size_t>(size_ * arrays), 0.0);
+}
+
+template <int Dim>
+void DynamicsNodes<Dim>::clear(std::pair<int, int> layers) {
+  const Index first = layers.first * layer_, last = layers.second * layer_;
+  const Index from = first_ < last_ ? std::min(first_, first) : first, to = std::max(last_, last);
+  parallel_ranges(to - from, [&](Index begin, Index end) {
+    for (int which = 0; which < 1 + 2 * Dim; ++which) {
+      std::fill(array(which) + from + begin, array(which) + from + end, 0.0);
+    }
+  });
+  first_ = first;
+  last_ = last;
+}
+
+template <int Dim>
+void DynamicsNodes<Dim>::clear_second_velocity() {
+  parallel_ranges(last_ - first_, [&](Index begin, Index end) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      std::fill(second_velocity(axis) + first_ + begin, second_velocity(axis) + first_ + end, 0.0);
+    }
+  });
+}
+
+template <int Dim>
+double full_cell(const DynamicsData<Dim>& data) {
+  double density = std::numeric_limits<double>::infinity();
+  for (const StressMaterial& material : data.materials) {
+    density = std::min(density, material.density);
+  }
+  return density * data.grid.cell_volume();
+}
+
+template <int Dim>
+DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& problem)
+    : grid(problem.grid),
+      shape(problem.shape),
+      settings(problem.settings),
+      walls(walls_of(problem.settings)),
+      points(of_points),
+      mass(of_points, 1),
+      velocity(of_points, Dim),
+      stress(of_points, stress_components),
+      order(problem.grid, problem.shape == ShapeFunction::linear ? 2 : 3),
+      nodes(problem.grid, problem.shape, problem.settings.stress_update) {
+  check(settings, Dim);
+  std::copy(settings.gravity.begin(), settings.gravity.end(), gravity.data());
+  require(points.dimension() == Dim, "momentum of dimension ", Dim, " got points of dimension ",
+          points.dimension());
+  for (const DynamicsBody& body : problem.bodies) {
+    require(body.half_width > 0.0 && body.half_width <= 0.5,
+            "half width of a point must lie in (0, 0.5] cells, got ", body.half_width);
+    half_widths.push_back(shape == ShapeFunction::bspline ? 0.5 : body.half_width);
+    materials.emplace_back(body.material);
+  }
+  with_transfer(shape, settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
+    moves_with_mean = !is_affine<transfer, Shape>;
+  });
+  if (!moves_with_mean) {
+    affine = std::make_unique<PointArray>(points, Dim * Dim);
+    carried = std::make_unique<PointArray>(points, Dim);
+  }
+  constexpr double empty_share = 1e-15;  // of a cell full of the lightest material
+  empty_node = empty_share * full_cell(*this);
+  for (Index row = 0; row < points.size(); ++row) {
+    const Index number = points.body()[row];
+    require(number < static_cast<Index>(problem.bodies.size()), "point ", points.id()[row],
+            " belongs to body ", number, ", momentum knows ", problem.bodies.size(), " bodies");
+    const DynamicsBody& body = problem.bodies[number];
+    require(points.volume()[row] > 0.0, "point ", points.id()[row],
+            " needs a positive volume, has ", points.volume()[row]);
+    mass[row] = materials[number].density * points.volume()[row];
+    Vec3 place = Vec3::Zero();
+    for (int axis = 0; axis < Dim; ++axis) {
+      place[axis] = points.position()[row * Dim + axis];
+    }
+    if (body.velocity) {
+      const Vec3 start = body.velocity(place);
+      std::copy(start.data(), start.data() + Dim, velocity.data() + row * Dim);
+      if (carried) {
+        std::copy(start.data(), start.data() + Dim, carried->data() + row * Dim);
+      }
+    }
+    if (body.stress) {
+      const SymmetricTensor start = body.stress(place);
+      std::copy(start.components.begin(), start.components.begin() + stress_components,
+                stress.data() + row * stress_components);
+    }
+  }
+}
+
+PointSums& PointSums::operator+=(const PointSums& other) {
+  kinetic += other.kinetic;
+  plastic += other.plastic;
+  strain_work += other.strain_work;
+  work_ahead += other.work_ahead;
+  expansion += other.expansion;
+  speed = std::max(speed, other.speed);
+  wave_speed = std::max(wave_speed, other.wave_speed);
+  least_volume = std::min(least_volume, other.least_volume);
+  outside = outside || other.outside;
+  return *this;
+}
+
+template class DynamicsNodes<2>;
+template class DynamicsNodes<3>;
+template double full_cell(const DynamicsData<2>&);
+template double full_cell(const DynamicsData<3>&);
+template struct DynamicsData<2>;
+template struct DynamicsData<3>;
+
+}  // namespace lapilli

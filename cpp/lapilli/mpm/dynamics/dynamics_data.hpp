@@ -1,0 +1,105 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lapilli/core/points.hpp"
+#include "lapilli/mpm/dynamics/dynamics_problem.hpp"
+#include "lapilli/mpm/dynamics/grid_boundaries.hpp"
+#include "lapilli/mpm/dynamics/stress_update.hpp"
+#include "lapilli/mpm/transfer/cell_order.hpp"
+
+namespace lapilli {
+
+/// Nodal quantities, each an array over the nodes of the grid. `velocity` holds momentum until the
+/// nodes are solved, `increment` the force; `strain_velocity` is the one that strains the points
+/// (and gives TPIC its gradient): the same, except under linear functions, whose slope is whole on
+/// nodes that carry next to nothing. `second_velocity` is what MUSL projects again and strains with
+/// instead.
+template <int Dim>
+class DynamicsNodes {
+ public:
+  DynamicsNodes(const Grid<Dim>& grid, ShapeFunction shape, StressUpdate update);
+
+  /// Whether light nodes strain with a velocity of their own.
+  bool limits_strain() const { return limits_strain_; }
+
+  double* mass() { return array(0); }
+  double* velocity(int axis) { return array(1 + axis); }
+  double* increment(int axis) { return array(1 + Dim + axis); }
+  double* strain_velocity(int axis) { return array(limited_ + axis); }
+  double* second_velocity(int axis) { return array(1 + 2 * Dim + axis); }  // MUSL only
+  const double* mass() const { return array(0); }
+  const double* velocity(int axis) const { return array(1 + axis); }
+  const double* increment(int axis) const { return array(1 + Dim + axis); }
+  const double* strain_velocity(int axis) const { return array(limited_ + axis); }
+  const double* second_velocity(int axis) const { return array(1 + 2 * Dim + axis); }
+
+  /// First and one-past-last node that points may touch, and zero what was projected there before.
+  void clear(std::pair<int, int> layers);
+  /// Zero the second velocity alone.
+  void clear_second_velocity();
+  Index first() const { return first_; }
+  Index last() const { return last_; }
+
+ private:
+  double* array(int which) { return values_.data() + which * size_; }
+  const double* array(int which) const { return values_.data() + which * size_; }
+
+  bool limits_strain_;
+  int limited_;  // first array of the strain velocity
+  Index size_;   // of one array, with room for a quad past the last node
+  Index layer_;  // nodes in one layer across the slowest axis
+  Index first_ = 0, last_ = 0;
+  LargeArray<double> values_;
+};
+
+/// Everything the phases of a momentum step work on.
+template <int Dim>
+struct DynamicsData {
+  static constexpr int stress_components = Dim == 2 ? 4 : 6;
+
+  DynamicsData(Points& of_points, const DynamicsProblem<Dim>& problem);
+
+  Grid<Dim> grid;
+  ShapeFunction shape;
+  DynamicsSettings settings;
+  Vec3 gravity = Vec3::Zero();  // m/s^2
+  Walls walls;
+  std::vector<double> half_widths;        // by body, cells
+  std::vector<StressMaterial> materials;  // by body
+  Points& points;
+  PointArray mass;                          // kg (per metre of depth in 2D)
+  PointArray velocity;                      // m/s
+  PointArray stress;                        // Pa; xx yy zz xy, and yz xz in 3D
+  std::unique_ptr<PointArray> affine;       // gradient, 1/s; APIC: sum v (x_I - x) S, m2/s
+  std::unique_ptr<PointArray> carried;      // m/s, what moved the point last; with `affine`
+  std::unique_ptr<PointArray> deformation;  // incremental deformation gradient minus one, on demand
+  std::unique_ptr<PointArray> plastic;      // J dissipated since last taken, on demand
+  std::unique_ptr<PointArray> free_strain;  // isotropic strain of the next step, on demand
+  double empty_node = 0.0;                  // kg; what lighter nodes could move is lost in rounding
+  bool moves_with_mean = false;  // of the velocities before and after a step, not with the latter
+  CellOrder<Dim> order;
+  DynamicsNodes<Dim> nodes;
+};
+
+/// Mass of a cell full of the lightest material, kg.
+template <int Dim>
+double full_cell(const DynamicsData<Dim>& data);
+
+/// What one sweep over the points found.
+struct PointSums {
+  double kinetic = 0.0;       // J, affine part included
+  double plastic = 0.0;       // J dissipated in this step
+  double strain_work = 0.0;   // J of the stress on the strain of this step
+  double work_ahead = 0.0;    // J, half the work of the stress reached on this strain
+  double expansion = 0.0;     // J given by the free strain of this step
+  double speed = 0.0;         // m/s, largest of point and of its place
+  double wave_speed = 0.0;    // m/s, largest
+  double least_volume = 1.0;  // least determinant of the incremental deformation
+  bool outside = false;       // a point left the grid, or is not finite
+
+  PointSums& operator+=(const PointSums& other);
+};
+
+}  // namespace lapilli

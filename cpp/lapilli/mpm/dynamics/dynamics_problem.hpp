@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "lapilli/core/physics.hpp"
+#include "lapilli/core/points.hpp"
+#include "lapilli/geometry/grid.hpp"
+#include "lapilli/materials/solid.hpp"
+#include "lapilli/mpm/dynamics/dynamics_settings.hpp"
+#include "lapilli/mpm/surface/nodal_surface.hpp"
+#include "lapilli/mpm/transfer/shape_function.hpp"
+
+namespace lapilli {
+
+/// What momentum needs to know of one body.
+struct DynamicsBody {
+  Solid material;
+  double half_width = 0.25;  // of the GIMP box in cells: half the fill spacing over the cell size
+  std::function<Vec3(const Vec3&)> velocity;           // m/s at the start; empty: at rest
+  std::function<SymmetricTensor(const Vec3&)> stress;  // Pa at the start; empty: none
+};
+
+/// Everything a momentum solver is made from.
+template <int Dim>
+struct DynamicsProblem {
+  Grid<Dim> grid;
+  ShapeFunction shape = ShapeFunction::gimp;
+  std::vector<DynamicsBody> bodies;  // by body number of the points
+  DynamicsSettings settings;
+  DistanceFunction distance = {};  // signed distance to the union of the bodies; may be empty
+};
+
+}  // namespace lapilli

@@ -1,0 +1,70 @@
+#include "lapilli/mpm/dynamics/dynamics_settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+namespace {
+
+void check_vector(const std::vector<double>& values, int dimension, const char* what) {
+  require(static_cast<int>(values.size()) == dimension, what, " needs ", dimension,
+          " numbers, one an axis, got ", values.size());
+  for (const double value : values) {
+    require(std::isfinite(value), what, " must be finite, got ", value);
+  }
+}
+
+void check_walls(const std::vector<GridBoundary>& walls, int dimension) {
+  bool taken[6] = {};
+  for (const GridBoundary& wall : walls) {
+    const GridFace face = std::visit([](const auto& known) { return known.face; }, wall);
+    const int number = static_cast<int>(face);
+    require(number < 2 * dimension, "dynamics.grid_boundaries: the grid has no face ",
+            name_of(face), " in ", dimension, " dimensions");
+    require(!taken[number], "dynamics.grid_boundaries: face ", name_of(face), " has two walls");
+    taken[number] = true;
+    if (const auto* rough = std::get_if<FrictionalBoundary>(&wall)) {
+      require(std::isfinite(rough->coefficient) && rough->coefficient >= 0.0,
+              "dynamics.grid_boundaries: coefficient must not be negative, got ",
+              rough->coefficient);
+    }
+  }
+}
+
+}  // namespace
+
+void check(const DynamicsSettings& settings, int dimension) {
+  if (!settings.gravity.empty()) {
+    check_vector(settings.gravity, dimension, "dynamics.gravity");
+  }
+  require(std::isfinite(settings.blend_rate) && settings.blend_rate >= 0.0,
+          "dynamics.blend_rate must not be negative, got ", settings.blend_rate);
+  require(settings.pic_fraction >= 0.0 && settings.pic_fraction <= 1.0,
+          "dynamics.pic_fraction must lie in [0, 1], got ", settings.pic_fraction);
+  require(settings.courant > 0.0 && settings.courant <= 1.0,
+          "dynamics.courant must lie in (0, 1], got ", settings.courant);
+  check_walls(settings.grid_boundaries, dimension);
+  for (std::size_t k = 0; k < settings.obstacles.size(); ++k) {
+    check(settings.obstacles[k], dimension, static_cast<int>(k));
+  }
+  for (const DynamicsBoundary& law : settings.boundaries) {
+    if (const auto* traction = std::get_if<Traction>(&law)) {
+      check_vector(traction->value, dimension, "dynamics.boundaries: the value of a traction");
+    }
+  }
+}
+
+std::vector<std::string> warnings(const DynamicsSettings& settings) {
+  const bool flip = settings.transfer == VelocityTransfer::flip;
+  if (settings.transfer == VelocityTransfer::blended_apic ||
+      (flip && settings.pic_fraction == 0.0)) {
+    return {};
+  }
+  return {message("dynamics.transfer ", name_of(settings.transfer),
+                  flip ? message(" with pic_fraction ", settings.pic_fraction) : std::string(),
+                  " damps once a step: motion depends on the time step; blended_apic does not")};
+}
+
+}  // namespace lapilli

@@ -1,0 +1,274 @@
+#include "lapilli/mpm/dynamics/obstacles/obstacle_contacts.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+namespace {
+
+template <int Dim>
+Vec3 in_space(const Vec<Dim>& v) {
+  Vec3 full = Vec3::Zero();
+  full.template head<Dim>() = v;
+  return full;
+}
+
+/// Farthest a surface can be from a centre: the corners of its box, or of the grid where it ends
+/// nowhere.
+template <int Dim>
+double farthest(const Grid<Dim>& grid, const Shape& shape, const Vec3& center) {
+  const Bounds box = bounds(shape);
+  double most = 0.0;
+  for (int axis = 0; axis < Dim; ++axis) {
+    double lower = box.lower[axis], upper = box.upper[axis];
+    if (!std::isfinite(lower) || !std::isfinite(upper)) {
+      lower = grid.lower()[axis];
+      upper = grid.upper()[axis];
+    }
+    const double far = std::max(std::abs(lower - center[axis]), std::abs(upper - center[axis]));
+    most += far * far;
+  }
+  return std::sqrt(most);
+}
+
+}  // namespace
+
+template <int Dim>
+ObstacleContacts<Dim>::ObstacleContacts(const DynamicsData<Dim>& data, const Obstacle& obstacle,
+                                        std::string name, std::vector<double> radii)
+    : obstacle_(obstacle),
+      name_(std::move(name)),
+      radii_(std::move(radii)),
+      motion_(obstacle),
+      reach_(farthest(data.grid, obstacle.shape, motion_.center())),
+      friction_(obstacle.contact == ObstacleContact::no_slip
+                    ? std::numeric_limits<double>::infinity()
+                    : obstacle.friction),
+      memory_(data.points, kept) {
+  Index deepest = -1;
+  double depth = 1e-6 * data.grid.cell_size();
+  for (Index row = 0; row < data.points.size(); ++row) {
+    const double inside = -clearance(in_space<Dim>(data.points.template position<Dim>(row)));
+    if (inside > depth) {
+      depth = inside;
+      deepest = row;
+    }
+  }
+  require(deepest < 0, "dynamics.obstacles: ", name_, " starts inside body ",
+          deepest < 0 ? 0 : data.points.body()[deepest], ": its point ",
+          deepest < 0 ? 0 : data.points.id()[deepest], " lies ", depth, " m deep in it");
+}
+
+/// Weights of linear functions at the foot on the nodes that carry mass; false where there are
+/// none.
+template <int Dim>
+bool ObstacleContacts<Dim>::place_on_nodes(const DynamicsData<Dim>& data,
+                                           Contact<Dim>& contact) const {
+  const Grid<Dim>& grid = data.grid;
+  const double* mass = data.nodes.mass();
+  double share[Dim];
+  Index base = 0;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double at = (contact.foot[axis] - grid.origin()[axis]) * grid.inverse_cell_size();
+    const auto cell = static_cast<Index>(std::floor(at));
+    if (cell < 0 || cell + 1 >= grid.nodes(axis)) {
+      return false;
+    }
+    share[axis] = at - static_cast<double>(cell);
+    base += cell * grid.node_stride(axis);
+  }
+  constexpr double least_weight = 1e-9, least_sum = 1e-3;
+  double sum = 0.0;
+  for (int corner = 0; corner < Contact<Dim>::corners; ++corner) {
+    Index node = base;
+    double weight = 1.0;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const bool upper = (corner >> axis) & 1;
+      node += upper ? grid.node_stride(axis) : 0;
+      weight *= upper ? share[axis] : 1.0 - share[axis];
+    }
+    const bool touched = node >= data.nodes.first() && node < data.nodes.last();
+    if (touched && weight > least_weight && mass[node] > data.empty_node) {
+      contact.node[contact.count] = node;
+      contact.weight[contact.count++] = weight;
+      sum += weight;
+    }
+  }
+  for (int k = 0; k < contact.count; ++k) {
+    contact.weight[k] /= sum;
+  }
+  return sum > least_sum;
+}
+
+template <int Dim>
+Contact<Dim> ObstacleContacts<Dim>::contact_at(const DynamicsData<Dim>& data, Index row,
+                                               const Vec3& x, double gap, double step) const {
+  const double radius = radii_[data.points.body()[row]];
+  const Vec3 normal = motion_.turned(gradient(obstacle_.shape, motion_.reference(x)));
+  Contact<Dim> contact;
+  contact.row = row;
+  contact.normal = normal.head<Dim>().normalized();
+  const Vec3 foot = x - gap * normal;
+  contact.foot = foot.head<Dim>();
+  contact.wall = motion_.velocity(foot).template head<Dim>();
+  contact.bound = -std::max(0.0, gap - radius) / step;
+  contact.grip = gap <= radius ? obstacle_.adhesion * std::pow(2.0 * radius, Dim - 1) * step : 0.0;
+  return contact;
+}
+
+template <int Dim>
+void ObstacleContacts<Dim>::find(const DynamicsData<Dim>& data, double step, double travelled,
+                                 double reach) {
+  const double h = data.grid.cell_size();
+  const Index count = data.points.size();
+  std::vector<std::vector<Contact<Dim>>> found(
+      static_cast<std::size_t>((count + piece_rows - 1) / piece_rows));
+  parallel_ranges(count, [&](Index begin, Index end) {
+    for (Index row = begin; row < end; ++row) {
+      const double zone = radii_[data.points.body()[row]] + 0.5 * h;
+      double& clear = memory_[row * kept];  // what it was, plus what had been travelled then
+      if (clear - travelled > zone + reach) {
+        continue;
+      }
+      const Vec3 x = in_space<Dim>(data.points.template position<Dim>(row));
+      const double gap = clearance(x);
+      clear = gap + travelled - reach;
+      if (gap < zone) {
+        Contact<Dim> contact = contact_at(data, row, x, gap, step);
+        if (place_on_nodes(data, contact)) {
+          found[begin / piece_rows].push_back(contact);
+        }
+      }
+    }
+  });
+  contacts_.clear();
+  for (const auto& some : found) {
+    contacts_.insert(contacts_.end(), some.begin(), some.end());
+  }
+}
+
+/// Impulses of the step before, those of points that were in contact then.
+template <int Dim>
+void ObstacleContacts<Dim>::start_from(int which, double scale) {
+  for (Contact<Dim>& contact : contacts_) {
+    const double* memory = memory_.data() + contact.row * kept;
+    const bool known = memory[stamp] == steps_ && steps_ > 0.0;
+    contact.push = known ? scale * memory[which] : 0.0;
+    for (int axis = 0; axis < Dim; ++axis) {
+      contact.drag[axis] = known ? scale * memory[which + 1 + axis] : 0.0;
+    }
+  }
+}
+
+template <int Dim>
+void ObstacleContacts<Dim>::keep(int which) {
+  for (const Contact<Dim>& contact : contacts_) {
+    double* memory = memory_.data() + contact.row * kept;
+    memory[which] = contact.push;
+    std::copy_n(contact.drag.data(), Dim, memory + which + 1);
+  }
+}
+
+template <int Dim>
+typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::push(DynamicsData<Dim>& data,
+                                                                 double step,
+                                                                 std::vector<double>& crowd) {
+  double *velocity[Dim], *increment[Dim];
+  for (int axis = 0; axis < Dim; ++axis) {
+    velocity[axis] = data.nodes.velocity(axis);
+    increment[axis] = data.nodes.increment(axis);
+  }
+  for (Contact<Dim>& contact : contacts_) {
+    contact.approach = contact.at_foot(velocity);
+    contact.start = contact.approach - contact.at_foot(increment);
+  }
+  start_from(first, last_step_ > 0.0 ? step / last_step_ : 0.0);
+  solve_contacts<Dim>(contacts_, friction_, data.nodes.mass(), velocity, crowd);
+  keep(first);
+  last_step_ = step;
+  return book(velocity, step);
+}
+
+/// What the impulses of the step did: they work on the mean of the velocities before and after it.
+template <int Dim>
+typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::book(double* const (&velocity)[Dim],
+                                                                 double step) {
+  Work work;
+  force_.setZero();
+  torque_.setZero();
+  for (const Contact<Dim>& contact : contacts_) {
+    const Vec<Dim> after = contact.at_foot(velocity), impulse = contact.impulse();
+    const Vec<Dim> slip = 0.5 * (contact.start + after) - contact.wall;
+    work.kinetic += impulse.dot(0.5 * (contact.approach + after));
+    work.given += impulse.dot(contact.wall);
+    work.impact += contact.push * contact.normal.dot(slip);
+    work.friction += contact.drag.dot(slip);
+    const Vec3 given = in_space<Dim>(impulse);
+    impulse_ += given;
+    force_ -= given / step;
+    torque_ -= (in_space<Dim>(contact.foot) - motion_.center()).cross(given) / step;
+  }
+  work_ += work.given;
+  return work;
+}
+
+template <int Dim>
+void ObstacleContacts<Dim>::push_again(DynamicsData<Dim>& data, std::vector<double>& crowd) {
+  double* velocity[Dim];
+  for (int axis = 0; axis < Dim; ++axis) {
+    velocity[axis] = data.nodes.second_velocity(axis);
+  }
+  start_from(second, 1.0);
+  solve_contacts<Dim>(contacts_, friction_, data.nodes.mass(), velocity, crowd);
+  keep(second);
+}
+
+template <int Dim>
+void ObstacleContacts<Dim>::finish_step() {
+  steps_ += 1.0;
+  for (const Contact<Dim>& contact : contacts_) {
+    memory_[contact.row * kept + stamp] = steps_;
+  }
+}
+
+template <int Dim>
+Index ObstacleContacts<Dim>::touching() const {
+  return std::count_if(contacts_.begin(), contacts_.end(),
+                       [](const Contact<Dim>& contact) { return contact.push > 0.0; });
+}
+
+template <int Dim>
+void ObstacleContacts<Dim>::save(Archive& archive, const std::string& prefix) const {
+  archive.write(prefix + "/memory", memory_.values());
+  const auto place = motion_.state();
+  std::vector<double> numbers(place.begin(), place.end());
+  for (const Vec3* vector : {&force_, &torque_, &impulse_}) {
+    numbers.insert(numbers.end(), vector->data(), vector->data() + 3);
+  }
+  numbers.insert(numbers.end(), {work_, steps_, last_step_});
+  archive.write(prefix + "/numbers", std::span<const double>(numbers));
+}
+
+template <int Dim>
+void ObstacleContacts<Dim>::load(const Archive& archive, const std::string& prefix) {
+  archive.read(prefix + "/memory", memory_.values());
+  double numbers[17];
+  archive.read(prefix + "/numbers", std::span<double>(numbers));
+  motion_.restore({numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]});
+  const double* from = numbers + 5;
+  for (Vec3* vector : {&force_, &torque_, &impulse_}) {
+    std::copy_n(from, 3, vector->data());
+    from += 3;
+  }
+  work_ = numbers[14];
+  steps_ = numbers[15];
+  last_step_ = numbers[16];
+}
+
+template class ObstacleContacts<2>;
+template class ObstacleContacts<3>;
+
+}  // namespace lapilli

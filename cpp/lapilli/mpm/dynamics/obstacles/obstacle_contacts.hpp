@@ -1,0 +1,81 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "lapilli/mpm/dynamics/dynamics_data.hpp"
+#include "lapilli/mpm/dynamics/obstacles/contact.hpp"
+#include "lapilli/mpm/dynamics/obstacles/rigid_motion.hpp"
+
+namespace lapilli {
+
+/// One obstacle, the contacts it has in this step and what it has given.
+///
+/// Contacts are the points nearer than half a cell and their own half width; each acts at its foot
+/// on the surface through linear functions, so that the wall is where it is drawn and the lowest
+/// row of points carries stress (nodes inside the obstacle take their share of the reaction).
+template <int Dim>
+class ObstacleContacts {
+ public:
+  /// `radii`: half the spacing of the points of each body, m. Throws std::invalid_argument naming
+  /// the deepest point that starts inside the obstacle.
+  ObstacleContacts(const DynamicsData<Dim>& data, const Obstacle& obstacle, std::string name,
+                   std::vector<double> radii);
+
+  /// Contacts of the points where they are. No point has moved farther than `travelled` (m, since
+  /// the start) plus `reach`.
+  void find(const DynamicsData<Dim>& data, double step, double travelled, double reach);
+  /// Impulses of the step on the solved velocity: books what the obstacle gave, and returns what
+  /// became of the energy.
+  struct Work {
+    double kinetic = 0.0;   // J, added to the nodes after the forces
+    double given = 0.0;     // J, by the motion of the obstacle
+    double friction = 0.0;  // J, lost along the surface (negative)
+    double impact = 0.0;    // J, lost across it
+  };
+  Work push(DynamicsData<Dim>& data, double step, std::vector<double>& crowd);
+  /// The same on the velocity that is projected a second time, which only strains.
+  void push_again(DynamicsData<Dim>& data, std::vector<double>& crowd);
+  /// After both: the next step starts from the impulses of the present contacts.
+  void finish_step();
+
+  RigidMotion& motion() { return motion_; }
+  /// Largest speed of the surface at present, m/s.
+  double speed() const { return motion_.speed(reach_); }
+
+  void save(Archive& archive, const std::string& prefix) const;
+  void load(const Archive& archive, const std::string& prefix);
+
+  const std::string& name() const { return name_; }
+  const Vec3& force() const { return force_; }      // N, on the obstacle, of the last step
+  const Vec3& torque() const { return torque_; }    // N m, about its centre
+  const Vec3& impulse() const { return impulse_; }  // N s, given to the bodies since the start
+  double work() const { return work_; }             // J, the same
+  Index touching() const;                           // contacts that push
+
+ private:
+  // Of a point: clearance, the step it belongs to, and both impulses (push, drag).
+  static constexpr int stamp = 1, first = 2, second = 3 + Dim, kept = 4 + 2 * Dim;
+
+  double clearance(const Vec3& x) const { return distance(obstacle_.shape, motion_.reference(x)); }
+  bool place_on_nodes(const DynamicsData<Dim>& data, Contact<Dim>& contact) const;
+  Contact<Dim> contact_at(const DynamicsData<Dim>& data, Index row, const Vec3& x, double gap,
+                          double step) const;
+  Work book(double* const (&velocity)[Dim], double step);
+  void start_from(int which, double scale);
+  void keep(int which);
+
+  Obstacle obstacle_;
+  std::string name_;
+  std::vector<double> radii_;
+  RigidMotion motion_;
+  double reach_ = 0.0;     // m, from the centre of turning to the farthest surface
+  double friction_ = 0.0;  // infinite without slip
+  PointArray memory_;
+  std::vector<Contact<Dim>> contacts_;
+  double steps_ = 0.0, last_step_ = 0.0;
+  Vec3 force_ = Vec3::Zero(), torque_ = Vec3::Zero(), impulse_ = Vec3::Zero();
+  double work_ = 0.0;
+};
+
+}  // namespace lapilli

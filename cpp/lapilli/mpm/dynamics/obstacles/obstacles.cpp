@@ -1,0 +1,163 @@
+#include "lapilli/mpm/dynamics/obstacles/obstacles.hpp"
+
+#include <algorithm>
+
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+
+template <int Dim>
+Obstacles<Dim>::Obstacles(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem)
+    : crowd_(static_cast<std::size_t>(data.grid.node_count()), 0.0) {
+  std::vector<double> radii;
+  for (const DynamicsBody& body : problem.bodies) {
+    radii.push_back(body.half_width * data.grid.cell_size());
+  }
+  int index = 0;
+  for (const Obstacle& obstacle : data.settings.obstacles) {
+    const std::string name = obstacle.name.empty() ? message("obstacle ", index) : obstacle.name;
+    each_.push_back(std::make_unique<ObstacleContacts<Dim>>(data, obstacle, name, radii));
+    ++index;
+  }
+}
+
+template <int Dim>
+void Obstacles<Dim>::push(DynamicsData<Dim>& data, const Step& step, double speed, NodeSums& sums) {
+  // Where points act in the middle of the step, obstacles do too.
+  const double ahead = data.moves_with_mean ? 0.0 : 0.5 * step.size;
+  const Index first = data.nodes.first(), count = data.nodes.last() - first;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double* velocity = data.nodes.velocity(axis) + first;
+    before_[axis].assign(velocity, velocity + count);
+  }
+  for (const auto& one : each_) {
+    one->motion().advance(step.time, ahead);
+    one->motion().set_time(step.time + 0.5 * step.size);
+  }
+  const double reach = step.size * (speed + this->speed());
+  for (const auto& one : each_) {
+    one->find(data, step.size, travelled_, reach);
+    const auto work = one->push(data, step.size, crowd_);
+    given_ += work.given;
+    sums.friction += work.friction;
+    sums.impact += work.impact;
+    sums.kinetic_after += work.kinetic;
+  }
+  const double* mass = data.nodes.mass() + first;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double* velocity = data.nodes.velocity(axis) + first;
+    double* increment = data.nodes.increment(axis) + first;
+    const double gravity = step.size * data.gravity[axis];
+    double work = 0.0;
+    for (Index node = 0; node < count; ++node) {
+      const double change = velocity[node] - before_[axis][node];
+      if (change != 0.0) {
+        work += 0.5 * mass[node] * (increment[node] - gravity) * change;
+        increment[node] += change;
+        if (data.nodes.limits_strain()) {
+          data.nodes.strain_velocity(axis)[first + node] += change;
+        }
+      }
+    }
+    sums.force_work += work;
+  }
+}
+
+template <int Dim>
+void Obstacles<Dim>::push_again(DynamicsData<Dim>& data) {
+  for (const auto& one : each_) {
+    one->push_again(data, crowd_);
+  }
+}
+
+template <int Dim>
+void Obstacles<Dim>::finish_step(const Step& step, double moved, bool ahead) {
+  const double done = ahead ? 0.5 * step.size : 0.0;
+  double fastest = 0.0;
+  for (const auto& one : each_) {
+    fastest = std::max(fastest, one->speed());
+    one->motion().advance(step.time + done, step.size - done);
+    one->motion().set_time(step.time + step.size);
+    one->finish_step();
+    fastest = std::max(fastest, one->speed());
+  }
+  travelled_ += moved + step.size * fastest;
+}
+
+template <int Dim>
+double Obstacles<Dim>::speed() const {
+  double fastest = 0.0;
+  for (const auto& one : each_) {
+    fastest = std::max(fastest, one->speed());
+  }
+  return fastest;
+}
+
+template <int Dim>
+Vec3 Obstacles<Dim>::impulse() const {
+  Vec3 sum = Vec3::Zero();
+  for (const auto& one : each_) {
+    sum += one->impulse();
+  }
+  return sum;
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, double>> Obstacles<Dim>::diagnostics() const {
+  constexpr const char* axes[] = {"x", "y", "z"};
+  std::vector<std::pair<std::string, double>> all;
+  for (const auto& one : each_) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      all.emplace_back(message(one->name(), " force ", axes[axis]), one->force()[axis]);
+    }
+    for (int axis = Dim == 2 ? 2 : 0; axis < 3; ++axis) {
+      all.emplace_back(message(one->name(), " torque ", axes[axis]), one->torque()[axis]);
+    }
+    all.emplace_back(message(one->name(), " work"), one->work());
+    all.emplace_back(message(one->name(), " contacts"), static_cast<double>(one->touching()));
+  }
+  return all;
+}
+
+template <int Dim>
+std::vector<Balance::Entry> Obstacles<Dim>::work_entries() const {
+  std::vector<Balance::Entry> entries;
+  for (const auto& one : each_) {
+    entries.push_back({one->name(), one->work()});
+  }
+  return entries;
+}
+
+template <int Dim>
+std::vector<Balance::Entry> Obstacles<Dim>::impulse_entries(int axis) const {
+  std::vector<Balance::Entry> entries;
+  for (const auto& one : each_) {
+    entries.push_back({one->name(), one->impulse()[axis]});
+  }
+  return entries;
+}
+
+template <int Dim>
+void Obstacles<Dim>::save(Archive& archive, const std::string& prefix) const {
+  for (std::size_t k = 0; k < each_.size(); ++k) {
+    each_[k]->save(archive, message(prefix, "/", k));
+  }
+  const double numbers[] = {travelled_, given_};
+  archive.write(prefix + "/sums", std::span<const double>(numbers));
+}
+
+template <int Dim>
+void Obstacles<Dim>::load(const Archive& archive, const std::string& prefix) {
+  for (std::size_t k = 0; k < each_.size(); ++k) {
+    each_[k]->load(archive, message(prefix, "/", k));
+  }
+  double numbers[2];
+  archive.read(prefix + "/sums", std::span<double>(numbers));
+  travelled_ = numbers[0];
+  given_ = numbers[1];
+}
+
+template class Obstacles<2>;
+template class Obstacles<3>;
+
+}  // namespace lapilli

@@ -1,0 +1,189 @@
+#include "lapilli/mpm/dynamics/solve_nodes.hpp"
+
+#include <algorithm>
+
+#include "lapilli/core/parallel.hpp"
+#include "lapilli/mpm/dynamics/grid_boundaries.hpp"
+
+namespace lapilli {
+namespace {
+
+/// Below this share, under linear functions, the internal force strains as if the node had it:
+/// their slope stays whole while the mass vanishes. Elsewhere points strain with the velocity that
+/// moves them, or the force would work without the stress that restores it.
+constexpr double light_share = 0.1;
+
+/// Call body(node, axis, wall, inward) for every node on or outside of a wall that carries mass,
+/// wall by wall in a fixed order.
+template <int Dim, class Body>
+void for_each_wall_node(const DynamicsData<Dim>& data, const Body& body) {
+  const Grid<Dim>& grid = data.grid;
+  const double* mass = data.nodes.mass();
+  for (int axis = 0; axis < Dim; ++axis) {
+    for (int side = 0; side < 2; ++side) {
+      const Wall& wall = data.walls[2 * axis + side];
+      if (wall.is_open()) {
+        continue;
+      }
+      const int padding = Grid<Dim>::padding;
+      const int face = side == 0 ? padding : grid.nodes(axis) - 1 - padding;
+      for (int layer : {face, side == 0 ? face - 1 : face + 1}) {
+        const Index stride = grid.node_stride(axis);
+        const Index block = stride * grid.nodes(axis);
+        for (Index start = layer * stride; start < grid.node_count(); start += block) {
+          const Index from = std::max(start, data.nodes.first());
+          const Index to = std::min(start + stride, data.nodes.last());
+          for (Index node = from; node < to; ++node) {
+            if (mass[node] > data.empty_node) {
+              body(node, axis, wall, side == 0 ? 1.0 : -1.0);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+NodeSums& NodeSums::operator+=(const NodeSums& other) {
+  kinetic_before += other.kinetic_before;
+  kinetic_after += other.kinetic_after;
+  force_work += other.force_work;
+  friction += other.friction;
+  impact += other.impact;
+  wall_impulse += other.wall_impulse;
+  return *this;
+}
+
+template <int Dim>
+NodeSums accelerate_nodes(DynamicsData<Dim>& data, double step) {
+  const double floor = data.empty_node;
+  const double light = light_share * full_cell(data);
+  const bool limits = data.nodes.limits_strain();
+  const double* mass = data.nodes.mass();
+  const Index first = data.nodes.first(), count = data.nodes.last() - first;
+  std::vector<NodeSums> partial(static_cast<std::size_t>((count + piece_rows - 1) / piece_rows));
+  parallel_ranges(count, [&](Index begin, Index end) {
+    NodeSums& sums = partial[begin / piece_rows];
+    for (int axis = 0; axis < Dim; ++axis) {
+      double* velocity = data.nodes.velocity(axis) + first;
+      double* increment = data.nodes.increment(axis) + first;
+      double* strain_velocity = data.nodes.strain_velocity(axis) + first;
+      const double* m = mass + first;
+      const double gravity = data.gravity[axis];
+      double before = 0.0, after = 0.0, work = 0.0;
+      for (Index node = begin; node < end; ++node) {
+        if (m[node] > floor) {
+          const double inverse = 1.0 / m[node];
+          const double old = velocity[node] * inverse;
+          const double internal = step * increment[node] * inverse;
+          const double change = internal + step * gravity;
+          before += m[node] * old * old;
+          after += m[node] * (old + change) * (old + change);
+          work += m[node] * internal * (old + 0.5 * change);
+          velocity[node] = old + change;
+          increment[node] = change;
+          if (limits) {
+            strain_velocity[node] =
+                old + step * gravity + internal * std::min(1.0, m[node] / light);
+          }
+        } else {
+          velocity[node] = increment[node] = strain_velocity[node] = 0.0;
+        }
+      }
+      sums.kinetic_before += 0.5 * before;
+      sums.kinetic_after += 0.5 * after;
+      sums.force_work += work;
+    }
+  });
+  NodeSums total;
+  for (const NodeSums& sums : partial) {
+    total += sums;
+  }
+  return total;
+}
+
+template <int Dim>
+void hold_nodes(DynamicsData<Dim>& data, double step, NodeSums& total) {
+  const double* mass = data.nodes.mass();
+  for_each_wall_node(data, [&](Index node, int normal, const Wall& wall, double inward) {
+    Vec<Dim> velocity, change, strain;
+    for (int axis = 0; axis < Dim; ++axis) {
+      strain[axis] = data.nodes.strain_velocity(axis)[node];
+      velocity[axis] = data.nodes.velocity(axis)[node];
+      change[axis] = data.nodes.increment(axis)[node];
+    }
+    const Vec<Dim> held = held_by<Dim>(wall, normal, inward, velocity);
+    const Vec<Dim> held_strain = held_by<Dim>(wall, normal, inward, strain);
+    const Vec<Dim> impulse = mass[node] * (held - velocity);
+    // The wall's work over the step: its impulse times the mean of the velocity before and after.
+    const Vec<Dim> middle = 0.5 * (held + velocity - change);
+    const double across = impulse[normal] * middle[normal];
+    total.impact += across;
+    const Vec<Dim> force = mass[node] * (change - step * data.gravity.template head<Dim>());
+    total.force_work += 0.5 * force.dot(held - velocity);
+    total.friction += impulse.dot(middle) - across;
+    total.kinetic_after += 0.5 * mass[node] * (held.squaredNorm() - velocity.squaredNorm());
+    for (int axis = 0; axis < Dim; ++axis) {
+      total.wall_impulse[axis] += impulse[axis];
+      data.nodes.velocity(axis)[node] = held[axis];
+      if (data.nodes.limits_strain()) {
+        data.nodes.strain_velocity(axis)[node] = held_strain[axis];
+      }
+      data.nodes.increment(axis)[node] = change[axis] + held[axis] - velocity[axis];
+    }
+  });
+}
+
+template <int Dim>
+void divide_second_velocity(DynamicsData<Dim>& data) {
+  const double floor = data.empty_node;
+  const Index first = data.nodes.first();
+  parallel_ranges(data.nodes.last() - first, [&](Index begin, Index end) {
+    const double* m = data.nodes.mass() + first;
+    for (int axis = 0; axis < Dim; ++axis) {
+      double* velocity = data.nodes.second_velocity(axis) + first;
+      for (Index node = begin; node < end; ++node) {
+        velocity[node] = m[node] > floor ? velocity[node] / m[node] : 0.0;
+      }
+    }
+  });
+  if (data.moves_with_mean) {
+    // From here on the nodes only carry the points: with the mean velocity of the step.
+    parallel_ranges(data.nodes.last() - first, [&](Index begin, Index end) {
+      for (int axis = 0; axis < Dim; ++axis) {
+        double* velocity = data.nodes.velocity(axis) + first;
+        const double* increment = data.nodes.increment(axis) + first;
+        for (Index node = begin; node < end; ++node) {
+          velocity[node] -= 0.5 * increment[node];
+        }
+      }
+    });
+  }
+}
+
+template <int Dim>
+void hold_second_velocity(DynamicsData<Dim>& data) {
+  for_each_wall_node(data, [&](Index node, int normal, const Wall& wall, double inward) {
+    Vec<Dim> velocity;
+    for (int axis = 0; axis < Dim; ++axis) {
+      velocity[axis] = data.nodes.second_velocity(axis)[node];
+    }
+    const Vec<Dim> held = held_by<Dim>(wall, normal, inward, velocity);
+    for (int axis = 0; axis < Dim; ++axis) {
+      data.nodes.second_velocity(axis)[node] = held[axis];
+    }
+  });
+}
+
+template NodeSums accelerate_nodes<2>(DynamicsData<2>&, double);
+template NodeSums accelerate_nodes<3>(DynamicsData<3>&, double);
+template void hold_nodes<2>(DynamicsData<2>&, double, NodeSums&);
+template void hold_nodes<3>(DynamicsData<3>&, double, NodeSums&);
+template void divide_second_velocity<2>(DynamicsData<2>&);
+template void divide_second_velocity<3>(DynamicsData<3>&);
+template void hold_second_velocity<2>(DynamicsData<2>&);
+template void hold_second_velocity<3>(DynamicsData<3>&);
+
+}  // namespace lapilli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "lapilli/mpm/dynamics/dynamics_data.hpp"
+
+namespace lapilli {
+
+/// What the solution of the nodes did to the account of a step.
+struct NodeSums {
+  double kinetic_before = 0.0;       // J, of the projected momentum
+  double kinetic_after = 0.0;        // J
+  double force_work = 0.0;           // J done by the nodal forces, walls and gravity left out
+  double friction = 0.0;             // J done by walls along themselves (negative)
+  double impact = 0.0;               // J done by walls across themselves
+  Vec3 wall_impulse = Vec3::Zero();  // N s given by walls
+
+  NodeSums& operator+=(const NodeSums& other);
+};
+
+/// Velocity of every node that carries mass after `step`, v + dt (f / m + g), nothing held yet; its
+/// change goes to `increment`, and to nodes without mass goes zero.
+template <int Dim>
+NodeSums accelerate_nodes(DynamicsData<Dim>& data, double step);
+
+/// Hold the nodes at walls, and book what the walls did.
+template <int Dim>
+void hold_nodes(DynamicsData<Dim>& data, double step, NodeSums& sums);
+
+/// Divide the momentum projected again by the mass (MUSL). Where points move with the mean velocity
+/// of the step, the nodal velocity becomes that.
+template <int Dim>
+void divide_second_velocity(DynamicsData<Dim>& data);
+
+/// Hold the velocity projected again by the walls.
+template <int Dim>
+void hold_second_velocity(DynamicsData<Dim>& data);
+
+}  // namespace lapilli

@@ -1,0 +1,250 @@
+#include "lapilli/mpm/dynamics/surface_loads.hpp"
+
+#include <algorithm>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/dynamics/cell_sums.hpp"
+#include "lapilli/mpm/surface/surface_regions.hpp"
+
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace lapilli {
+namespace {
+
+const Shape* region_of(const DynamicsBoundary& law) {
+  return std::visit([](const auto& l) { return l.region ? &*l.region : nullptr; }, law);
+}
+
+constexpr int smoothing = 2;  // passes over the fraction, for its normals
+
+ContactFaces contact_faces(const Walls& walls) {
+  ContactFaces faces;
+  for (std::size_t face = 0; face < walls.size(); ++face) {
+    faces[face] = !walls[face].is_open();
+  }
+  return faces;
+}
+
+/// sum V S and sum V grad S of the points of one strip.
+template <int Dim, class Shape>
+void project_rows(const DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil,
+                  double* const (&to)[1 + Dim], Index begin, Index end) {
+  CellSums<Dim, Shape, 1 + Dim> sums(stencil, to);
+  const ShapeOfBody<Shape> shape_of(data.half_widths);
+  const double* position = data.points.position().data();
+  for (Index row = begin; row < end; ++row) {
+    const AxisWeights<Dim, Shape> axes(data.grid, shape_of(data.points.body()[row]),
+                                       position + row * Dim);
+    const SimdWeights<Dim, Shape> w(axes.value, axes.slope);
+    const double volume = data.points.volume()[row];
+    sums.move_to(axes.first);
+    for (int q = 0; q < Stencil<Dim, Shape>::quads; ++q) {
+      sums.sum[0][q] += w.value[q] * volume;
+      for (int axis = 0; axis < Dim; ++axis) {
+        sums.sum[1 + axis][q] += w.slope[axis][q] * volume;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::string name_of_law(const DynamicsBoundary& law, std::size_t index) {
+  return std::visit(
+      [&](const auto& l) { return l.name.empty() ? message(l.kind, " ", index + 1) : l.name; },
+      law);
+}
+
+template <int Dim>
+SurfaceLoads<Dim>::SurfaceLoads(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem)
+    : laws_(problem.settings.boundaries),
+      nodes_(laws_.size()),
+      work_(laws_.size(), 0.0),
+      impulse_(laws_.size(), Vec3::Zero()),
+      contact_(data.grid, contact_faces(data.walls)),
+      outside_(data.grid, static_cast<int>(problem.bodies.size())),
+      version_(data.points.version()) {
+  for (const DynamicsBoundary& law : laws_) {
+    if (const Shape* region = region_of(law)) {
+      check(*region, Dim);
+    }
+  }
+  outside_.start(data.points, problem.distance);
+  find_surface(data);
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    require(!nodes_[law].node.empty(), "dynamics.boundaries.", law, " (",
+            name_of_law(laws_[law], law), ") selects no surface: ",
+            region_of(laws_[law]) != nullptr ? "its region covers none that an earlier law left"
+                                             : "earlier laws left none");
+  }
+}
+
+template <int Dim>
+void SurfaceLoads<Dim>::project_surface(const DynamicsData<Dim>& data) {
+  const auto size = static_cast<std::size_t>(data.grid.node_count() + 4);
+  sums_.fraction.assign(size, 0.0);
+  sums_.area_vector.resize(size);
+  double* to[1 + Dim] = {sums_.fraction.data()};
+  for (int axis = 0; axis < Dim; ++axis) {
+    scratch_[axis].assign(size, 0.0);
+    to[1 + axis] = scratch_[axis].data();
+  }
+  with_transfer(data.shape, VelocityTransfer::flip, [&]<class Shape, VelocityTransfer>() {
+    const Stencil<Dim, Shape> stencil(data.grid);
+    data.order.for_each_strip(
+        [&](Index begin, Index end) { project_rows<Dim, Shape>(data, stencil, to, begin, end); });
+  });
+  const double per_cell = 1.0 / data.grid.cell_volume();
+  parallel_for(static_cast<Index>(size), [&](Index node) {
+    sums_.fraction[node] *= per_cell;
+    for (int axis = 0; axis < Dim; ++axis) {
+      sums_.area_vector[node][axis] = scratch_[axis][node];
+    }
+  });
+}
+
+template <int Dim>
+NodalAreas<Dim> SurfaceLoads<Dim>::free_areas(const Grid<Dim>& grid) const {
+  if (!contact_.any()) {
+    return nodal_normal_areas(grid, sums_, surface_nodes(grid, outside_.flags(), sums_.fraction),
+                              smoothing, true);
+  }
+  const NodalSums<Dim> free = contact_.without_contact(sums_);
+  const std::vector<unsigned char> outside = contact_.without_walls(outside_.flags());
+  return nodal_normal_areas(grid, free, surface_nodes(grid, std::span(outside), sums_.fraction),
+                            smoothing, true);
+}
+
+template <int Dim>
+void SurfaceLoads<Dim>::find_surface(const DynamicsData<Dim>& data) {
+  project_surface(data);
+  if (data.points.version() != version_) {
+    outside_.follow(data.points);
+    version_ = data.points.version();
+  }
+  const NodalAreas<Dim> areas = free_areas(data.grid);
+  std::vector<const Shape*> regions;
+  for (const DynamicsBoundary& law : laws_) {
+    regions.push_back(region_of(law));
+  }
+  const auto parts = divide_surface<Dim>(
+      data.grid, areas,
+      [&] {
+        return surface_places<Dim>(data.grid, data.points, data.shape, data.half_widths, areas);
+      },
+      regions);
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    Nodes& nodes = nodes_[law];
+    nodes = {};
+    for (const SurfacePart<Dim>& part : parts[law]) {
+      nodes.node.push_back(areas.node[part.row]);
+      nodes.area_vector.push_back(part.vector);
+      nodes.area.push_back(part.share * areas.area[part.row]);
+      nodes.normal.push_back(areas.normal[part.row]);
+      nodes.position.push_back(areas.position[part.row]);
+    }
+    nodes.value.resize(nodes.node.size());
+    nodes.force.resize(nodes.node.size());
+  }
+}
+
+template <int Dim>
+void SurfaceLoads<Dim>::add_forces(DynamicsData<Dim>& data, double time) {
+  find_surface(data);
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    Nodes& n = nodes_[law];
+    const auto* traction = std::get_if<Traction>(&laws_[law]);
+    const Value& value =
+        traction != nullptr ? traction->factor : std::get<Pressure>(laws_[law]).value;
+    value.evaluate(n.position, {}, time, n.value);
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      if (traction != nullptr) {
+        n.force[k] = n.area[k] * n.value[k] * Eigen::Map<const Vec<Dim>>(traction->value.data());
+      } else {
+        n.force[k] = -n.value[k] * n.area_vector[k];
+      }
+      for (int axis = 0; axis < Dim; ++axis) {
+        data.nodes.increment(axis)[n.node[k]] += n.force[k][axis];
+      }
+    }
+  }
+}
+
+template <int Dim>
+void SurfaceLoads<Dim>::book(const DynamicsData<Dim>& data, double step) {
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    const Nodes& n = nodes_[law];
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      for (int axis = 0; axis < Dim; ++axis) {
+        const double middle =
+            data.nodes.velocity(axis)[n.node[k]] - 0.5 * data.nodes.increment(axis)[n.node[k]];
+        work_[law] += step * n.force[k][axis] * middle;
+        impulse_[law][axis] += step * n.force[k][axis];
+      }
+    }
+  }
+}
+
+template <int Dim>
+double SurfaceLoads<Dim>::work() const {
+  double sum = 0.0;
+  for (const double work : work_) {
+    sum += work;
+  }
+  return sum;
+}
+
+template <int Dim>
+std::vector<Balance::Entry> SurfaceLoads<Dim>::work_entries() const {
+  std::vector<Balance::Entry> entries;
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    entries.push_back({name_of_law(laws_[law], law), work_[law]});
+  }
+  return entries;
+}
+
+template <int Dim>
+std::vector<Balance::Entry> SurfaceLoads<Dim>::impulse_entries(int axis) const {
+  std::vector<Balance::Entry> entries;
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    entries.push_back({name_of_law(laws_[law], law), impulse_[law][axis]});
+  }
+  return entries;
+}
+
+template <int Dim>
+SurfaceView SurfaceLoads<Dim>::surface() const {
+  SurfaceView view;
+  view.dimension = Dim;
+  for (const Nodes& nodes : nodes_) {
+    view.append(nodes);
+  }
+  return view;
+}
+
+template <int Dim>
+void SurfaceLoads<Dim>::save(Archive& archive, const std::string& name) const {
+  archive.write(name + "/work", work_);
+  std::vector<double> impulse;
+  for (const Vec3& of_law : impulse_) {
+    impulse.insert(impulse.end(), of_law.data(), of_law.data() + 3);
+  }
+  archive.write(name + "/impulse", impulse);
+  outside_.save(archive, name + "/outside");
+}
+
+template <int Dim>
+void SurfaceLoads<Dim>::load(const Archive& archive, const std::string& name) {
+  archive.read(name + "/work", std::span<double>(work_));
+  std::vector<double> impulse(3 * impulse_.size());
+  archive.read(name + "/impulse", std::span<double>(impulse));
+  for (std::size_t law = 0; law < impulse_.size(); ++law) {
+    impulse_[law] = Eigen::Map<const Vec3>(impulse.data() + 3 * law);
+  }
+  outside_.load(archive, name + "/outside");
+}
+
+template class SurfaceLoads<2>;
+template class SurfaceLoads<3>;
+
+}  // namespace lapilli

@@ -1,0 +1,48 @@
+#include "lapilli/mpm/dynamics/thermal_strain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/parallel.hpp"
+#include "lapilli/core/require.hpp"
+
+namespace lapilli {
+
+ThermalStrain::ThermalStrain(Points& points, const PointArray& temperature, PointArray& free_strain,
+                             std::vector<double> coefficients)
+    : points_(points),
+      temperature_(temperature),
+      free_strain_(free_strain),
+      coefficients_(std::move(coefficients)),
+      before_(points, 1) {
+  for (double coefficient : coefficients_) {
+    require(std::isfinite(coefficient), "thermal expansion must be finite (1/K), got ",
+            coefficient);
+  }
+  for (Index body : points.body()) {
+    require(body < static_cast<Index>(coefficients_.size()), "thermal expansion knows ",
+            coefficients_.size(), " bodies, points belong to body ", body);
+  }
+  std::ranges::copy(temperature_.values(), before_.data());
+}
+
+StepReport ThermalStrain::advance(const Step& step) {
+  parallel_for(points_.size(), [&](Index row) {
+    const double coefficient = coefficients_[points_.body()[row]];
+    free_strain_[row] = coefficient * (temperature_[row] - before_[row]);
+    before_[row] = temperature_[row];
+  });
+  StepReport report;
+  report.accepted = step.size;
+  return report;
+}
+
+void ThermalStrain::save(Archive& archive) const {
+  archive.write("thermal_expansion/before", before_.values());
+}
+
+void ThermalStrain::load(const Archive& archive) {
+  archive.read("thermal_expansion/before", before_.values());
+}
+
+}  // namespace lapilli

@@ -1,0 +1,234 @@
+#include "lapilli/mpm/dynamics/update_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/mpm/dynamics/mover.hpp"
+#include "lapilli/mpm/dynamics/velocity_update.hpp"
+
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace lapilli {
+namespace {
+
+template <int Dim>
+double squared(const double* vector) {
+  double sum = vector[0] * vector[0];
+  for (int axis = 1; axis < Dim; ++axis) {
+    sum += vector[axis] * vector[axis];
+  }
+  return sum;
+}
+
+/// Sums over pieces of the points, added in order.
+template <class Body>
+PointSums sum_over_points(Index count, const Body& body) {
+  std::vector<PointSums> partial(static_cast<std::size_t>((count + piece_rows - 1) / piece_rows));
+  parallel_ranges(count,
+                  [&](Index begin, Index end) { partial[begin / piece_rows] = body(begin, end); });
+  PointSums total;
+  for (const PointSums& sums : partial) {
+    total += sums;
+  }
+  return total;
+}
+
+/// Deform the points of a staged block, one run of equal bodies at a time.
+template <int Dim>
+void deform_block(DynamicsData<Dim>& data, const DeformationBlock<Dim>& block, Index begin,
+                  int rows, PointSums& sums) {
+  constexpr int components = DynamicsData<Dim>::stress_components;
+  const StressRows at{data.stress.data() + begin * components, data.points.volume().data() + begin,
+                      data.mass.data() + begin,
+                      data.free_strain ? data.free_strain->data() + begin : nullptr,
+                      data.plastic ? data.plastic->data() + begin : nullptr};
+  const Index* body = data.points.body().data() + begin;
+  for (int first = 0; first < rows;) {
+    int last = first + 1;
+    while (last < rows && body[last] == body[first]) {
+      ++last;
+    }
+    const StressMaterial& material = data.materials[body[first]];
+    const StressSums found = update_stress<Dim>(material, block, at, first, last);
+    sums.plastic += found.plastic;
+    sums.strain_work += found.strain_work;
+    sums.work_ahead += found.work_ahead;
+    sums.expansion += found.expansion;
+    sums.least_volume = std::min(sums.least_volume, found.least_volume);
+    sums.wave_speed = std::max(sums.wave_speed, material.wave_modulus * found.wave_ratio);
+    first = last;
+  }
+  if (data.deformation) {
+    double* to = data.deformation->data() + begin * Dim * Dim;
+    for (int row = 0; row < rows; ++row) {
+      for (int c = 0; c < Dim * Dim; ++c) {
+        to[row * Dim * Dim + c] = block.gradient[c][row];
+      }
+    }
+  }
+}
+
+/// Move and deform the points [begin, end), a block at a time. read(row, axes, weights, velocity,
+/// gradient, sums) reads both of a point from the nodes. Points that drifted over the first half of
+/// the step (`in_halves`) move over the second.
+template <int Dim, class Shape, bool in_halves, class Read>
+[[gnu::always_inline]] inline PointSums move_and_deform(DynamicsData<Dim>& data, double step,
+                                                        Index begin, Index end, const Read& read) {
+  const ShapeOfBody<Shape> shape_of(data.half_widths);
+  const Mover<Dim> move(data, in_halves ? 0.5 * step : step);
+  const Grid<Dim> grid = data.grid;
+  double* position = data.points.position().data();
+  const Index* body = data.points.body().data();
+  DeformationBlock<Dim> block;
+  PointSums sums;
+  for (Index start = begin; start < end; start += block_rows) {
+    const int rows = static_cast<int>(std::min<Index>(block_rows, end - start));
+    for (int k = 0; k < rows; ++k) {
+      const Index row = start + k;
+      const AxisWeights<Dim, Shape> axes(grid, shape_of(body[row]), position + row * Dim);
+      const SimdWeights<Dim, Shape> w(axes.value, axes.slope);
+      double velocity[Dim], gradient[Dim * Dim];
+      read(row, axes, w, velocity, gradient, sums);
+      sums.speed = std::max(sums.speed, squared<Dim>(velocity));
+      sums.outside = !move(position + row * Dim, velocity) | sums.outside;
+      for (int c = 0; c < Dim * Dim; ++c) {
+        block.gradient[c][k] = step * gradient[c];
+      }
+    }
+    deform_block(data, block, start, rows, sums);
+  }
+  return sums;
+}
+
+template <int Dim, class Shape, VelocityTransfer transfer>
+PointSums update_usl_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil, double step,
+                          Index begin, Index end) {
+  const VelocityUpdate<Dim, Shape, transfer, true> update(data, step);
+  typename VelocityUpdate<Dim, Shape, transfer, true>::Nodes nodes(stencil, update.from);
+  return move_and_deform<Dim, Shape, is_affine<transfer, Shape>>(
+      data, step, begin, end,
+      [&](Index row, const auto& axes, const auto& w, double* velocity, double* gradient,
+          PointSums& sums) {
+        nodes.move_to(axes.first);
+        sums.kinetic += update(row, nodes, axes, w, velocity, gradient);
+        if constexpr (is_affine<transfer, Shape>) {
+          std::copy_n(velocity, Dim, data.carried->data() + row * Dim);
+        }
+        sums.speed = std::max(sums.speed, squared<Dim>(data.velocity.data() + row * Dim));
+      });
+}
+
+template <int Dim, class Shape, VelocityTransfer transfer>
+PointSums update_velocity_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil,
+                               double step, Index begin, Index end) {
+  const VelocityUpdate<Dim, Shape, transfer, false> update(data, step);
+  typename VelocityUpdate<Dim, Shape, transfer, false>::Nodes nodes(stencil, update.from);
+  double* to[Dim];
+  for (int axis = 0; axis < Dim; ++axis) {
+    to[axis] = data.nodes.second_velocity(axis);
+  }
+  CellSums<Dim, Shape, Dim> sums(stencil, to);
+  const ShapeOfBody<Shape> shape_of(data.half_widths);
+  const Grid<Dim> grid = data.grid;
+  const double* position = data.points.position().data();
+  const Index* body = data.points.body().data();
+  PointSums found;
+  for (Index row = begin; row < end; ++row) {
+    const AxisWeights<Dim, Shape> axes(grid, shape_of(body[row]), position + row * Dim);
+    const SimdWeights<Dim, Shape> w(axes.value, axes.slope);
+    nodes.move_to(axes.first);
+    sums.move_to(axes.first);
+    double carried[Dim];
+    found.kinetic += update(row, nodes, axes, w, carried, nullptr);
+    if constexpr (is_affine<transfer, Shape>) {
+      std::copy_n(carried, Dim, data.carried->data() + row * Dim);
+    }
+    const double* velocity = data.velocity.data() + row * Dim;
+    found.speed = std::max(found.speed, squared<Dim>(velocity));
+    add_momentum<transfer>(sums, 0, w, axes, grid.cell_size(), data.mass[row], velocity,
+                           data.affine ? data.affine->data() : nullptr, row);
+  }
+  return found;
+}
+
+template <int Dim, class Shape, bool in_halves>
+PointSums update_musl_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil, double step,
+                           Index begin, Index end) {
+  constexpr int gradients = Dim * Dim, values = in_halves ? 0 : Dim;
+  const double* from[values + Dim];
+  for (int axis = 0; axis < Dim; ++axis) {
+    from[axis] = data.nodes.second_velocity(axis);
+    if constexpr (!in_halves) {
+      from[Dim + axis] = data.nodes.velocity(axis);
+    }
+  }
+  CellNodes<Dim, Shape, values + Dim> nodes(stencil, from);
+  const double* carried = in_halves ? data.carried->data() : nullptr;
+  return move_and_deform<Dim, Shape, in_halves>(
+      data, step, begin, end,
+      [&](Index row, const auto& axes, const auto& w, double* velocity, double* gradient,
+          PointSums&) {
+        nodes.move_to(axes.first);
+        constexpr int count = (gradients + values + 3) / 4 * 4;
+        Double4 parts[count];
+        for (int axis = 0; axis < Dim; ++axis) {
+          for (int along = 0; along < Dim; ++along) {
+            parts[axis * Dim + along] = nodes.weigh(axis, w.slope[along]);
+          }
+          if constexpr (!in_halves) {
+            parts[gradients + axis] = nodes.weigh(Dim + axis, w.value);
+          }
+        }
+        for (int c = gradients + values; c < count; ++c) {
+          parts[c] = all(0.0);
+        }
+        alignas(32) double value[count];
+        add_lanes(parts, value);
+        std::copy_n(value, gradients, gradient);
+        std::copy_n(in_halves ? carried + row * Dim : value + gradients, Dim, velocity);
+      });
+}
+
+}  // namespace
+
+template <int Dim>
+PointSums update_velocities(DynamicsData<Dim>& data, double step) {
+  data.nodes.clear_second_velocity();
+  std::vector<PointSums> partial(static_cast<std::size_t>(data.order.strip_count()));
+  with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
+    const Stencil<Dim, Shape> stencil(data.grid);
+    data.order.for_each_strip([&](Index begin, Index end, Index strip) {
+      partial[strip] = update_velocity_rows<Dim, Shape, transfer>(data, stencil, step, begin, end);
+    });
+  });
+  PointSums total;
+  for (const PointSums& sums : partial) {
+    total += sums;
+  }
+  total.speed = std::sqrt(total.speed);
+  return total;
+}
+
+template <int Dim>
+PointSums update_points(DynamicsData<Dim>& data, double step) {
+  PointSums total;
+  with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
+    const Stencil<Dim, Shape> stencil(data.grid);
+    total = sum_over_points(data.points.size(), [&](Index begin, Index end) {
+      return data.settings.stress_update == StressUpdate::usl
+                 ? update_usl_rows<Dim, Shape, transfer>(data, stencil, step, begin, end)
+                 : update_musl_rows<Dim, Shape, is_affine<transfer, Shape>>(data, stencil, step,
+                                                                            begin, end);
+    });
+  });
+  total.speed = std::sqrt(total.speed);
+  total.wave_speed = std::sqrt(total.wave_speed);
+  return total;
+}
+
+template PointSums update_velocities<2>(DynamicsData<2>&, double);
+template PointSums update_velocities<3>(DynamicsData<3>&, double);
+template PointSums update_points<2>(DynamicsData<2>&, double);
+template PointSums update_points<3>(DynamicsData<3>&, double);
+
+}  // namespace lapilli

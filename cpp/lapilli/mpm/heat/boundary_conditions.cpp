@@ -1,0 +1,213 @@
+#include "lapilli/mpm/heat/boundary_conditions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/transfer/weights.hpp"
+
+namespace lapilli {
+namespace {
+
+bool is_held(const HeatBoundary& law) { return std::holds_alternative<PrescribedTemperature>(law); }
+
+}  // namespace
+
+const Shape* region_of(const HeatBoundary& law) {
+  return std::visit([](const auto& l) { return l.region ? &*l.region : nullptr; }, law);
+}
+
+std::string name_of_law(const HeatBoundary& law, std::size_t index) {
+  return std::visit(
+      [&](const auto& l) { return l.name.empty() ? message(l.kind, " ", index + 1) : l.name; },
+      law);
+}
+
+template <int Dim>
+void BoundaryConditions<Dim>::Account::add(double value) {
+  const double total = sum + value;
+  dropped += std::abs(sum) >= std::abs(value) ? (sum - total) + value : (value - total) + sum;
+  sum = total;
+}
+
+template <int Dim>
+BoundaryConditions<Dim>::BoundaryConditions(const std::vector<HeatBoundary>& laws,
+                                            double absolute_zero)
+    : laws_(laws), nodes_(laws.size()), account_(laws.size()), zero_(absolute_zero) {
+  for (const HeatBoundary& law : laws_) {
+    if (const Shape* region = region_of(law)) {
+      check(*region, Dim);
+    }
+  }
+}
+
+template <int Dim>
+bool BoundaryConditions<Dim>::has_held_temperature() const {
+  return std::any_of(laws_.begin(), laws_.end(), is_held);
+}
+
+template <int Dim>
+bool BoundaryConditions<Dim>::has_radiation() const {
+  return std::any_of(laws_.begin(), laws_.end(), [](const HeatBoundary& law) {
+    return std::holds_alternative<Radiation>(law);
+  });
+}
+
+template <int Dim>
+bool BoundaryConditions<Dim>::is_linear() const {
+  return std::none_of(laws_.begin(), laws_.end(), [](const HeatBoundary& law) {
+    const auto* flux = std::get_if<Flux>(&law);
+    const auto* convection = std::get_if<Convection>(&law);
+    return std::holds_alternative<Radiation>(law) ||
+           (flux != nullptr && flux->value.is_function()) ||
+           (convection != nullptr && convection->coefficient.is_function());
+  });
+}
+
+template <int Dim>
+bool BoundaryConditions<Dim>::has_constant_slope() const {
+  return is_linear() && std::all_of(laws_.begin(), laws_.end(), [](const HeatBoundary& law) {
+           const auto* convection = std::get_if<Convection>(&law);
+           return convection == nullptr || convection->coefficient.is_constant();
+         });
+}
+
+template <int Dim>
+void BoundaryConditions<Dim>::assign(
+    const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
+    const std::function<std::vector<SurfacePlace<Dim>>()>& places) {
+  for (Nodes& nodes : nodes_) {
+    nodes.node.clear();
+    nodes.area.clear();
+    nodes.normal.clear();
+    nodes.position.clear();
+  }
+  std::vector<const Shape*> regions;
+  for (const HeatBoundary& law : laws_) {
+    regions.push_back(region_of(law));
+  }
+  const auto parts = divide_surface<Dim>(grid, areas, places, regions);
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    // Only a flux that does not depend on the temperature may act on negative areas.
+    const auto* flux = std::get_if<Flux>(&laws_[law]);
+    const bool is_signed = flux != nullptr && !flux->value.is_function();
+    for (const SurfacePart<Dim>& part : parts[law]) {
+      const double area = part.share * (is_signed ? areas.area : areas.positive)[part.row];
+      if (area != 0.0) {
+        nodes_[law].node.push_back(areas.node[part.row]);
+        nodes_[law].area.push_back(area);
+        nodes_[law].normal.push_back(areas.normal[part.row]);
+        nodes_[law].position.push_back(areas.position[part.row]);
+      }
+    }
+  }
+  for (Nodes& nodes : nodes_) {
+    nodes.state.resize(nodes.node.size());
+    nodes.rate.resize(nodes.node.size());
+    nodes.slope.resize(nodes.node.size());
+  }
+}
+
+template <int Dim>
+void BoundaryConditions<Dim>::place_probes(
+    const Grid<Dim>& grid, const std::function<bool(Index)>& is_active,
+    const std::function<double(Index, const Vec<Dim>&)>& conductivity) {
+  constexpr int corners = 1 << Dim;
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    if (!is_held(laws_[law])) {
+      continue;
+    }
+    Nodes& nodes = nodes_[law];
+    nodes.conductance.resize(nodes.node.size());
+    nodes.probe.resize(nodes.node.size() * corners);
+    for (std::size_t k = 0; k < nodes.node.size(); ++k) {
+      const double depth = grid.cell_size();
+      const Vec<Dim> probe = nodes.position[k].template head<Dim>() - depth * nodes.normal[k];
+      const LinearShape shape;
+      const Weights<Dim, LinearShape> weights(grid, shape, probe.data());
+      std::size_t corner = k * corners;
+      double sum = 0.0;
+      weights.for_each_node(grid, [&](Index node, double value, const Vec<Dim>&) {
+        const double weight = is_active(node) ? value : 0.0;
+        nodes.probe[corner++] = {weight > 0.0 ? node : nodes.node[k], weight};
+        sum += weight;
+      });
+      for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
+        nodes.probe[c].second = sum > 0.0 ? nodes.probe[c].second / sum : 1.0 / corners;
+      }
+      nodes.conductance[k] = conductivity(nodes.node[k], nodes.normal[k]) / depth;
+    }
+  }
+}
+
+template <int Dim>
+void BoundaryConditions<Dim>::require_all_used() const {
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    require(!nodes_[law].node.empty(), "heat.boundaries.", law, " (", name_of_law(laws_[law], law),
+            ") selects no surface: ",
+            region_of(laws_[law]) != nullptr
+                ? "its region covers none that an earlier condition left"
+                : "earlier conditions took all of it");
+  }
+}
+
+template <int Dim>
+std::vector<NodeCoupling> BoundaryConditions<Dim>::couplings() const {
+  constexpr std::size_t corners = 1 << Dim;
+  std::vector<NodeCoupling> all;
+  for (const Nodes& nodes : nodes_) {
+    for (std::size_t k = 0; k < nodes.conductance.size(); ++k) {
+      for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
+        if (nodes.probe[c].first != nodes.node[k]) {
+          all.push_back({nodes.node[k], nodes.probe[c].first,
+                         nodes.area[k] * nodes.conductance[k] * nodes.probe[c].second});
+        }
+      }
+    }
+  }
+  return all;
+}
+
+template <int Dim>
+SurfaceView BoundaryConditions<Dim>::surface() const {
+  SurfaceView view;
+  view.dimension = Dim;
+  for (const Nodes& nodes : nodes_) {
+    view.append(nodes);
+  }
+  return view;
+}
+
+template <int Dim>
+std::vector<Balance::Entry> BoundaryConditions<Dim>::entries() const {
+  std::vector<Balance::Entry> all;
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    all.push_back({name_of_law(laws_[law], law), account_[law].sum + account_[law].dropped});
+  }
+  return all;
+}
+
+template <int Dim>
+void BoundaryConditions<Dim>::save(Archive& archive, const std::string& name) const {
+  std::vector<double> sums;
+  for (const Account& account : account_) {
+    sums.push_back(account.sum);
+    sums.push_back(account.dropped);
+  }
+  archive.write(name, std::span<const double>(sums));
+}
+
+template <int Dim>
+void BoundaryConditions<Dim>::load(const Archive& archive, const std::string& name) {
+  std::vector<double> sums(2 * account_.size());
+  archive.read(name, std::span<double>(sums));
+  for (std::size_t law = 0; law < account_.size(); ++law) {
+    account_[law] = {sums[2 * law], sums[2 * law + 1]};
+  }
+}
+
+template class BoundaryConditions<1>;
+template class BoundaryConditions<2>;
+template class BoundaryConditions<3>;
+
+}  // namespace lapilli

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lapilli/core/balance.hpp"
+#include "lapilli/mpm/heat/heat_settings.hpp"
+#include "lapilli/mpm/surface/nodal_surface.hpp"
+#include "lapilli/mpm/surface/surface_regions.hpp"
+#include "lapilli/mpm/surface/surface_view.hpp"
+
+namespace lapilli {
+
+/// Heat that `node` takes in for every kelvin of `source`, W/K.
+struct NodeCoupling {
+  Index node, source;
+  double rate;
+};
+
+/// The laws on the surface, each on the nodes its region selects. A law gives every node a rate of
+/// heat (W) and its slope -d rate/dT (W/K) for the implicit diagonal; what really came in is
+/// booked.
+template <int Dim>
+class BoundaryConditions {
+ public:
+  /// The nodes of one law.
+  struct Nodes {
+    std::vector<Index> node;
+    std::vector<double> area;  // m^(dim-1); signed for a prescribed flux, else non-negative
+    std::vector<Vec<Dim>> normal;
+    std::vector<Vec3> position;  // on the surface, m
+    std::vector<double> state;   // K, at the node, or at the probe of a held temperature
+    std::vector<double> rate;    // W
+    std::vector<double> slope;   // W/K, not negative
+    // Held temperatures only:
+    std::vector<double> conductance;              // conductivity / probe depth, W/(m^2 K)
+    std::vector<std::pair<Index, double>> probe;  // 2^dim nodes and weights an entry
+  };
+
+  /// `absolute_zero` in the unit of the temperatures: 0 in K, -273.15 in degrees Celsius.
+  explicit BoundaryConditions(const std::vector<HeatBoundary>& laws, double absolute_zero = 0.0);
+
+  bool empty() const { return laws_.empty(); }
+  bool has_held_temperature() const;
+  bool has_radiation() const;
+  bool is_linear() const;           // no radiation, no callable
+  bool has_constant_slope() const;  // besides, no coefficient tabulated in time
+  const std::vector<Nodes>& nodes() const { return nodes_; }
+
+  /// Give each law the part of the surface that its region has; `places` is asked only where there
+  /// are regions.
+  void assign(const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
+              const std::function<std::vector<SurfacePlace<Dim>>()>& places);
+  /// Place the probes of held temperatures, one cell below the surface, among the nodes that are
+  /// active: a thin plate has fewer there. `conductivity` is the nodal n.k.n (W/(m K)).
+  void place_probes(const Grid<Dim>& grid, const std::function<bool(Index)>& is_active,
+                    const std::function<double(Index, const Vec<Dim>&)>& conductivity);
+
+  /// Replace every node number by number(node), for temperatures stored in another order.
+  template <class Number>
+  void renumber(const Number& number) {
+    for (Nodes& nodes : nodes_) {
+      for (Index& node : nodes.node) {
+        node = number(node);
+      }
+      for (auto& [node, weight] : nodes.probe) {
+        node = number(node);
+      }
+    }
+  }
+
+  /// Throws std::invalid_argument when a law's region selects no surface.
+  void require_all_used() const;
+
+  /// Rates and their tangents at the nodal temperatures (indexed by node) and one time, for
+  /// Newton's method.
+  void evaluate(std::span<const double> temperature, double time);
+  /// Rates and slopes for one explicit step, tables by their means over it and functions at its
+  /// middle. The slope of radiation is the secant to its ambient, sigma e (Ta^2 + T^2)(Ta + T): at
+  /// a cold start the tangent 4 sigma e T^3 restores nothing, and the step would pass the ambient.
+  void evaluate_over(std::span<const double> temperature, double begin, double end);
+  /// Add to a law's account. `heat` came in (J).
+  void book(std::size_t law, double heat) { account_[law].add(heat); }
+
+  /// How held temperatures tie nodes to the corners of their probes; the node itself, which a step
+  /// takes implicitly, is left out.
+  std::vector<NodeCoupling> couplings() const;
+
+  SurfaceView surface() const;
+  std::vector<Balance::Entry> entries() const;
+  void save(Archive& archive, const std::string& name) const;
+  void load(const Archive& archive, const std::string& name);
+
+ private:
+  /// A sum that keeps what rounding drops (Neumaier 1974).
+  struct Account {
+    double sum = 0.0, dropped = 0.0;
+    void add(double value);
+  };
+
+  void evaluate_between(std::span<const double> temperature, double begin, double end);
+  void read_states(std::size_t law, std::span<const double> temperature);
+  void evaluate_flux(const Flux& law, Nodes& nodes);
+  void evaluate_convection(const Convection& law, Nodes& nodes);
+  void evaluate_radiation(const Radiation& law, Nodes& nodes);
+  void evaluate_held(Nodes& nodes);
+  /// Fill with a value's means over the span of time, or its values where that is an instant.
+  void fill(const Value& value, const Nodes& nodes, std::vector<double>& values) const;
+  /// As fill, the mean of a power weighted by the value before: of coefficient ambient^power.
+  void fill_ambient(const Value& coefficient, const Value& ambient, int power, const Nodes& nodes,
+                    std::vector<double>& values) const;
+  void require_absolute(std::size_t law, std::span<const double> values) const;
+
+  std::vector<HeatBoundary> laws_;
+  std::vector<Nodes> nodes_;
+  std::vector<Account> account_;
+  double zero_ = 0.0;               // absolute zero in the scene's unit
+  double begin_ = 0.0, end_ = 0.0;  // s, the span of time being evaluated
+  bool secant_ = false;
+  std::vector<double> first_, second_;  // scratch of evaluate
+};
+
+/// The region of a law, null when it takes what is left.
+const Shape* region_of(const HeatBoundary& law);
+/// "convection 2" or the name the user gave.
+std::string name_of_law(const HeatBoundary& law, std::size_t index);
+
+}  // namespace lapilli

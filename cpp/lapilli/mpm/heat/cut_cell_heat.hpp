@@ -1,0 +1,94 @@
+#pragma once
+
+#include <memory>
+
+#include "lapilli/mpm/heat/heat_part.hpp"
+#include "lapilli/mpm/heat/point_fields.hpp"
+#include "lapilli/mpm/heat/temperature_range.hpp"
+#include "lapilli/mpm/surface/surface_view.hpp"
+
+namespace lapilli {
+
+/// Heat conduction in bodies at rest whose shapes are known: the operators are integrated over the
+/// shapes, cut cells and surface included, so that area, volume and accuracy do not depend on where
+/// the body lies or how its points are filled. Points are only looked at.
+///
+/// Conduction is explicit (or theta), the surface implicit in either:
+///   (C + dt M) dT = dt (-K T + E(T)),  E_I = integral of S_I rate(T) dA.
+template <int Dim>
+class CutCellHeat final : public Physics, public HasSurface {
+ public:
+  CutCellHeat(Points& points, HeatProblem<Dim> problem);
+
+  /// Whether a problem is of this kind.
+  static bool suits(const HeatProblem<Dim>& problem);
+
+  std::string name() const override { return "heat"; }
+  StepLimit step_limit() const override;
+  StepReport advance(const Step& step) override;
+  void refresh_output() override;
+  std::vector<Field> fields() override;
+  std::vector<Balance> balances() const override;
+  std::vector<std::pair<std::string, double>> diagnostics() const override;
+  SurfaceView surface() const override;
+  void save(Archive& archive) const override;
+  void load(const Archive& archive) override;
+
+ private:
+  /// A part with what its steps need.
+  struct Solved {
+    HeatPart<Dim> part;
+    SurfaceTerm surface;
+    SurfaceSolver solver;
+    std::vector<Index> unknown_place;  // of the solver: near the surface, or all where implicit
+    std::vector<double> inverse;       // 1/C', one for followers
+    std::vector<double> increment;     // K
+    SurfaceTerm::Matrix conduction;    // K' of the unknowns, implicit steps only
+  };
+
+  void bound_step();
+  bool is_implicit() const {
+    return problem_.settings.time_integration == TimeIntegration::implicit_theta;
+  }
+
+  // The phases of an explicit step of one part.
+  void conduct(Solved& one, double step) const;
+  void release_sources(Solved& one, const Step& step);
+  void exchange_with_surroundings(Solved& one, const Step& step);
+  void finish(Solved& one) const;
+
+  void number_all_leaders(Solved& one) const;
+  void prepare(Solved& one, double scale) const;
+  StepReport advance_implicitly(Solved& one, const Step& step);
+  void take_implicit_step(Solved& one, double begin, double size, double weight,
+                          StepReport& report);
+  /// Source heat by place over a step (J), added to `heat`; returns the sum.
+  double source_heat(const Solved& one, std::span<const double> temperature, double begin,
+                     double size, std::span<double> heat) const;
+  /// Enter the heat that laws gave when the surface rose by `rise`; it adds up to `given`.
+  void book_laws(const Solved& one, double size, const SurfaceTerm::Vector& rise, double given);
+
+  void require_finite() const;
+  SurfaceTerm::Vector gather(const Solved& one, std::span<const double> values) const;
+
+  Points& points_;
+  HeatProblem<Dim> problem_;
+  HeatCoefficients<Dim> coefficients_;
+  SurfaceConditions laws_;
+  StepLimit limit_;
+  std::vector<SurfaceFound> found_;
+  std::vector<Solved> solved_;
+  std::vector<std::size_t> part_of_;     // by body
+  double initial_ = 0.0, source_ = 0.0;  // J
+  double time_ = 0.0;                    // s, of the temperatures
+
+  TemperatureRange range_;  // that conduction and exchange can reach: values at points keep to it
+  std::unique_ptr<PointArray> output_temperature_, output_flux_;  // made when first looked at
+};
+
+/// Bounds the largest eigenvalue of C'^-1 K' of a part, 1/s (Lanczos 1950; what thirty steps may
+/// miss is added).
+template <int Dim>
+double fastest_rate(const HeatPart<Dim>& part);
+
+}  // namespace lapilli

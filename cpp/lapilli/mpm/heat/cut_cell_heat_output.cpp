@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/cut_cell_heat.hpp"
+#include "lapilli/mpm/heat/heat_balance.hpp"
+#include "lapilli/mpm/surface/cut_shape.hpp"
+#include "lapilli/mpm/transfer/weights.hpp"
+
+namespace lapilli {
+
+template <int Dim>
+void CutCellHeat<Dim>::require_finite() const {
+  for (const Solved& one : solved_) {
+    for (const auto& row : one.part.rows->rows()) {
+      for (int i = row.begin; i < row.end; ++i) {
+        if (!std::isfinite(one.part.temperature[row.shift + i])) {
+          const Index node = row.grid_row * problem_.grid.nodes(0) + i;
+          throw RunError(message(
+              "heat: temperature of the node at (", problem_.grid.node_position(node).transpose(),
+              ") is not finite; a boundary condition or source gave such a value, or the step is "
+              "too large for it"));
+        }
+      }
+    }
+  }
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::refresh_output() {
+  require_finite();
+  if (!output_temperature_) {
+    output_temperature_ = std::make_unique<PointArray>(points_, 1);
+    output_flux_ = std::make_unique<PointArray>(points_, Dim);
+  }
+  with_shape(problem_.shape, resting_half_width, [&](auto shape) {
+    parallel_for(points_.size(), [&](Index row) {
+      const auto body = static_cast<std::size_t>(points_.body()[row]);
+      const HeatPart<Dim>& part = solved_[part_of_[body]].part;
+      const Weights<Dim, decltype(shape)> weights(problem_.grid, shape,
+                                                  points_.position().data() + row * Dim);
+      double value = 0.0;
+      Vec<Dim> gradient = Vec<Dim>::Zero();
+      weights.for_each_node(problem_.grid, [&](Index node, double s, const Vec<Dim>& slope) {
+        if (s > 0.0) {
+          const double nodal = part.temperature[part.rows->place(node)];
+          value += s * nodal;
+          gradient += nodal * slope;
+        }
+      });
+      (*output_temperature_)[row] = std::clamp(value, range_.low, range_.high);
+      Eigen::Map<Vec<Dim>>(output_flux_->data() + row * Dim) =
+          -coefficients_.conductivity[body] * gradient;
+    });
+  });
+}
+
+template <int Dim>
+std::vector<Field> CutCellHeat<Dim>::fields() {
+  if (!output_temperature_) {
+    refresh_output();
+  }
+  return {{"temperature", "K", 1, output_temperature_->values()},
+          {"heat_flux", "W/m^2", Dim, output_flux_->values()}};
+}
+
+template <int Dim>
+std::vector<Balance> CutCellHeat<Dim>::balances() const {
+  Balance balance{"heat", "J", initial_, 0.0, laws_.entries(), 0.0};
+  bool has_sources = false;
+  for (const Solved& one : solved_) {
+    has_sources = has_sources || !one.part.sources.empty();
+    add_stored_heat(one.part.capacity, one.part.temperature, balance);
+  }
+  if (has_sources) {
+    balance.entries.push_back({"source", source_});
+  }
+  return {balance};
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, double>> CutCellHeat<Dim>::diagnostics() const {
+  double area = 0.0, free = 0.0;
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    for (const Solved& one : solved_) {
+      for (const double a : one.surface.sites(law).area) {
+        area += a;
+      }
+    }
+  }
+  for (const SurfaceFound& body : found_) {
+    free += body.area;
+  }
+  return {{"surface_area", area}, {"free_surface_area", free}};
+}
+
+template <int Dim>
+SurfaceView CutCellHeat<Dim>::surface() const {
+  SurfaceView view;
+  view.dimension = Dim;
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    for (const Solved& one : solved_) {
+      view.append(one.surface.sites(law));
+    }
+  }
+  return view;
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::save(Archive& archive) const {
+  for (std::size_t k = 0; k < solved_.size(); ++k) {
+    archive.write(message("heat/temperature ", k), solved_[k].part.temperature);
+    solved_[k].solver.save(archive, message("heat/solver ", k));
+  }
+  archive.write("heat/initial", initial_);
+  archive.write("heat/source", source_);
+  archive.write("heat/time", time_);
+  laws_.save(archive, "heat/laws");
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::load(const Archive& archive) {
+  for (std::size_t k = 0; k < solved_.size(); ++k) {
+    archive.read(message("heat/temperature ", k), std::span<double>(solved_[k].part.temperature));
+    solved_[k].solver.load(archive, message("heat/solver ", k));
+  }
+  initial_ = archive.read_number("heat/initial");
+  source_ = archive.read_number("heat/source");
+  time_ = archive.read_number("heat/time");
+  laws_.load(archive, "heat/laws");
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                                              \
+  template void CutCellHeat<Dim>::require_finite() const;                                     \
+  template void CutCellHeat<Dim>::refresh_output();                                           \
+  template std::vector<Field> CutCellHeat<Dim>::fields();                                     \
+  template std::vector<Balance> CutCellHeat<Dim>::balances() const;                           \
+  template std::vector<std::pair<std::string, double>> CutCellHeat<Dim>::diagnostics() const; \
+  template SurfaceView CutCellHeat<Dim>::surface() const;                                     \
+  template void CutCellHeat<Dim>::save(Archive& archive) const;                               \
+  template void CutCellHeat<Dim>::load(const Archive& archive);
+LAPILLI_INSTANTIATE(1)
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+}  // namespace lapilli

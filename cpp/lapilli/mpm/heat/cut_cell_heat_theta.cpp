@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/cut_cell_heat.hpp"
+
+namespace lapilli {
+
+template <int Dim>
+void CutCellHeat<Dim>::number_all_leaders(Solved& one) const {
+  using Matrix = SurfaceTerm::Matrix;
+  const HeatPart<Dim>& part = one.part;
+  const auto size = static_cast<std::size_t>(part.rows->size());
+  std::vector<Index> any(size, -1), unknown(size, -1);
+  Index known = 0;
+  one.unknown_place.clear();
+  for (const auto& row : part.rows->rows()) {
+    for (Index place = row.shift + row.begin; place < row.shift + row.end; ++place) {
+      if (part.capacity[place] > 0.0) {
+        unknown[place] = static_cast<Index>(one.unknown_place.size());
+        one.unknown_place.push_back(place);
+      }
+      if (part.capacity[place] > 0.0 || part.followers.follows(place)) {
+        any[place] = known++;
+      }
+    }
+  }
+  const auto count = static_cast<Eigen::Index>(one.unknown_place.size());
+  std::vector<Eigen::Triplet<double>> entries, lower;
+  for (std::size_t place = 0; place < size; ++place) {
+    const auto row = static_cast<int>(any[place]);
+    if (unknown[place] >= 0) {
+      entries.emplace_back(row, static_cast<int>(unknown[place]), 1.0);
+    } else if (row >= 0) {
+      for (const auto& leader : part.followers.leaders(static_cast<Index>(place))) {
+        entries.emplace_back(row, static_cast<int>(unknown[leader.place]), leader.weight);
+      }
+    }
+  }
+  Matrix prolongation(known, count), triangle(known, known);
+  prolongation.setFromTriplets(entries.begin(), entries.end());
+  part.conduction->append_triplets(any, 1.0, lower);
+  triangle.setFromTriplets(lower.begin(), lower.end());
+  const Matrix whole = triangle.template selfadjointView<Eigen::Lower>();
+  one.conduction = Matrix(prolongation.transpose()) * Matrix(whole * prolongation);
+
+  // The surface counted the nodes near it; now it counts all.
+  std::vector<Eigen::Triplet<double>> renumbered;
+  for (std::size_t k = 0; k < part.unknown_place.size(); ++k) {
+    renumbered.emplace_back(static_cast<int>(k), static_cast<int>(unknown[part.unknown_place[k]]),
+                            1.0);
+  }
+  Matrix choice(static_cast<Eigen::Index>(part.unknown_place.size()), count);
+  choice.setFromTriplets(renumbered.begin(), renumbered.end());
+  for (SurfaceTerm::Part& law : one.part.surface) {
+    law.trace = SurfaceTerm::Trace(Matrix(law.trace) * choice);
+  }
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::take_implicit_step(Solved& one, double begin, double size, double weight,
+                                          StepReport& report) {
+  using Vector = SurfaceTerm::Vector;
+  const double end = begin + size;
+  bool linear = laws_.is_linear();
+  for (const auto& own : one.part.sources) {
+    linear = linear && !problem_.bodies[own.body].source.is_function();
+  }
+  const int iterations_allowed = linear ? 1 : 30;
+  const Vector start = gather(one, one.part.temperature);
+  const Vector capacity = gather(one, one.part.capacity);
+  std::vector<double> nodal(one.part.temperature);
+  const auto sources_at = [&](const Vector& at, double factor, double& sum) {
+    if (one.part.sources.empty()) {
+      return Vector(Vector::Zero(at.size()));
+    }
+    for (std::size_t k = 0; k < one.unknown_place.size(); ++k) {
+      nodal[one.unknown_place[k]] = at[static_cast<Eigen::Index>(k)];
+    }
+    one.part.followers.prolong(nodal);
+    std::vector<double> heat(nodal.size(), 0.0);
+    sum = factor * source_heat(one, nodal, begin, size, heat);
+    return Vector(factor * gather(one, heat));
+  };
+  const Vector none = Vector::Zero(start.size());
+  std::vector<double> of_laws(laws_.size(), 0.0);  // J
+  const auto add_laws = [&](double factor) {
+    for (std::size_t law = 0; law < of_laws.size(); ++law) {
+      of_laws[law] += factor * one.surface.heat(law, none);
+    }
+  };
+  // What the start of the step contributes.
+  Vector known = none, sources = none;
+  double source_start = 0.0, source_end = 0.0;
+  if (weight < 1.0) {
+    one.surface.evaluate(laws_, start, begin, end);
+    known = (1.0 - weight) * size * one.surface.force();
+    add_laws((1.0 - weight) * size);
+    sources = sources_at(start, 1.0 - weight, source_start);
+  }
+  Vector trial = start;
+  prepare(one, weight * size);
+  double change = 0.0, scale = 0.0;
+  Vector source_now = none;
+  const auto balance = [&]() {
+    return Vector(capacity.cwiseProduct(trial - start) +
+                  size * (one.conduction * (start + weight * (trial - start))));
+  };
+  for (int iteration = 0; iteration < iterations_allowed; ++iteration) {
+    one.surface.evaluate(laws_, trial, begin, end);
+    source_now = sources_at(trial, weight, source_end);
+    const Vector residual =
+        known + weight * size * one.surface.force() + sources + source_now - balance();
+    const Vector rise = one.solver.solve(one.surface, weight * size, residual);
+    trial += rise;
+    change = rise.cwiseAbs().maxCoeff();
+    scale = trial.cwiseAbs().maxCoeff();
+    report.iterations += std::max(1, one.solver.iterations());
+    if (change <= 1e-13 * scale) {
+      break;
+    }
+  }
+  change = linear ? 0.0 : change;  // one solve is the answer
+  if (change > 1e-8 * scale) {
+    throw RunError(message("heat: the theta scheme stalled after ", iterations_allowed,
+                           " iterations, change ", change, " K; take smaller steps"));
+  }
+  report.residual = std::max(report.residual, scale > 0.0 ? change / scale : 0.0);
+  one.surface.evaluate(laws_, trial, begin, end);
+  add_laws(weight * size);
+  // Laws gave what nodes took up beyond sources: exact where a stiff law leaves a small difference
+  // of large rates.
+  source_ += source_start + source_end;
+  double given = capacity.dot(trial - start) - (source_start + source_end);
+  std::size_t largest = 0;
+  for (std::size_t law = 0; law < of_laws.size(); ++law) {
+    given -= of_laws[law];
+    largest = std::abs(of_laws[law]) > std::abs(of_laws[largest]) ? law : largest;
+  }
+  for (std::size_t law = 0; law < of_laws.size(); ++law) {
+    laws_.book(law, law == largest ? of_laws[law] + given : of_laws[law]);
+  }
+  for (std::size_t k = 0; k < one.unknown_place.size(); ++k) {
+    one.part.temperature[one.unknown_place[k]] = trial[static_cast<Eigen::Index>(k)];
+  }
+  one.part.followers.prolong(one.part.temperature);
+}
+
+template <int Dim>
+StepReport CutCellHeat<Dim>::advance_implicitly(Solved& one, const Step& step) {
+  // The two steps after the start and after every jump of a table are taken as backward Euler
+  // halves, which share the matrix of a Crank-Nicolson step and damp what it excites (Rannacher
+  // 1984).
+  const double theta = problem_.settings.theta;
+  const bool damped = theta < 1.0 && (step.index < 2 || laws_.jumps_within(step.time - step.size,
+                                                                           step.time + step.size));
+  const int parts = damped ? 2 : 1;
+  StepReport report{step.size, 0, 0.0};
+  for (int part = 0; part < parts; ++part) {
+    const double size = step.size / parts;
+    take_implicit_step(one, step.time + part * size, size, damped ? 1.0 : theta, report);
+  }
+  return report;
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                                      \
+  template void CutCellHeat<Dim>::number_all_leaders(Solved&) const;                  \
+  template void CutCellHeat<Dim>::take_implicit_step(Solved&, double, double, double, \
+                                                     StepReport&);                    \
+  template StepReport CutCellHeat<Dim>::advance_implicitly(Solved&, const Step&);
+LAPILLI_INSTANTIATE(1)
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+}  // namespace lapilli

@@ -1,0 +1,204 @@
+#include "lapilli/mpm/heat/particle_heat.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/nodal_assembly.hpp"
+#include "lapilli/mpm/heat/particle_boundary.hpp"
+#include "lapilli/mpm/heat/step_bound.hpp"
+#include "lapilli/mpm/transfer/weights.hpp"
+
+namespace lapilli {
+namespace {
+
+HeatTransfer chosen_transfer(const HeatSettings& settings) {
+  return settings.transfer == HeatTransfer::automatic ? HeatTransfer::affine : settings.transfer;
+}
+
+}  // namespace
+
+template <int Dim>
+ParticleHeat<Dim>::ParticleHeat(Points& points, HeatProblem<Dim> problem)
+    : points_(points),
+      problem_(std::move(problem)),
+      coefficients_(problem_.bodies, problem_.shape),
+      transfer_(chosen_transfer(problem_.settings)),
+      affine_(transfer_ == HeatTransfer::affine || transfer_ == HeatTransfer::tpic),
+      temperature_(points, 1),
+      capacity_(points, 1),
+      order_(problem_.grid, support_of(problem_.shape)),
+      grid_(problem_.grid, problem_.shape, coefficients_, !problem_.settings.boundaries.empty()),
+      laws_(problem_.settings.boundaries, absolute_zero(problem_.settings)) {
+  require(transfer_ != HeatTransfer::nodal,
+          "heat.transfer = \"nodal\" needs points at rest that no method \"particle\" reads");
+  require(!affine_ || problem_.shape != ShapeFunction::linear, "heat.transfer = \"",
+          name_of(transfer_),
+          "\" is unstable with linear shape functions: set grid.shape_function to \"gimp\" or "
+          "\"bspline\", or heat.transfer to \"flip\"");
+  require(
+      problem_.settings.time_integration == TimeIntegration::explicit_euler,
+      "heat.time_integration = \"implicit\" needs points at rest and heat.transfer = \"nodal\"");
+  order_.update(points_);
+  const std::vector<double> capacity = point_capacities(points_, problem_.bodies);
+  const std::vector<double> start = initial_temperatures(points_, problem_.bodies);
+  require_absolute(problem_, points_, start);
+  range_ = diverged_beyond(problem_, start);
+  std::copy(capacity.begin(), capacity.end(), capacity_.data());
+  std::copy(start.begin(), start.end(), temperature_.data());
+  if (affine_) {
+    gradient_ = std::make_unique<PointArray>(points_, Dim, 0.0, PointArray::Kind::gradient);
+    std::vector<double> gradient;
+    map_initial(points_, problem_, coefficients_, capacity, start, &gradient);
+    std::copy(gradient.begin(), gradient.end(), gradient_->data());
+  }
+  if (!laws_.empty()) {
+    surface_ = std::make_unique<HeatSurface<Dim>>(points_, problem_);
+    if (transfer_ == HeatTransfer::flip && problem_.settings.implicit_robin) {
+      relaxation_.assign(grid_.capacity.size(), 0.0);
+      conductivity_ = std::numeric_limits<double>::infinity();
+      for (const HeatBody& body : problem_.bodies) {
+        conductivity_ = std::min(conductivity_, largest_conductivity(body.material));
+      }
+    }
+  }
+  if (HeatSource<Dim>::is_present(problem_.bodies)) {
+    source_.emplace(problem_.bodies);
+  }
+  if (transfer_ == HeatTransfer::flip) {
+    const NodalOperators<Dim> operators =
+        assemble_operators(points_, problem_, coefficients_, capacity, true);
+    carried_limit_ =
+        2.0 / fastest_carried_rate(*operators.conduction, *operators.capacity, operators.lumped);
+  }
+  bound_step();
+  project_to_grid();
+  if (!laws_.empty()) {
+    find_surface();
+    laws_.require_all_used();
+  }
+  if (source_ && source_->depends_on_state()) {
+    find_growth(0.0);
+  }
+  initial_ = balances().front().stored;
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::bound_step() {
+  if (limited_ordering_ == points_.ordering()) {
+    return;
+  }
+  limited_ordering_ = points_.ordering();
+  limit_ = explicit_step_limit(points_, problem_, coefficients_, capacity_.values(), transfer_);
+  if (limit_.hard > carried_limit_) {
+    limit_.automatic *= carried_limit_ / limit_.hard;
+    limit_.hard = carried_limit_;
+  }
+}
+
+template <int Dim>
+StepLimit ParticleHeat<Dim>::step_limit() const {
+  StepLimit limit = limit_;
+  if (growth_ > 0.0 && 0.2 / growth_ < limit.automatic) {
+    limit.automatic = 0.2 / growth_;
+    limit.reason = "a source that heats itself";
+  }
+  return limit;
+}
+
+template <int Dim>
+StepReport ParticleHeat<Dim>::advance(const Step& step) {
+  order_.update(points_);
+  bound_step();
+  project_to_grid();
+  require_in_range();
+  find_surface();
+  conduct();
+  exchange_with_surroundings(step);
+  solve_nodes(step);
+  update_points(step);
+  if (step.output_due || step.index % 128 == 0) {
+    require_finite();
+  }
+  return {step.size, 0, 0.0};
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::project_to_grid() {
+  grid_.project(points_, order_, capacity_.data(), temperature_.data(),
+                affine_ ? gradient_->data() : nullptr);
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::find_surface() {
+  const std::pair<Index, Index> now{points_.version(), points_.ordering()};
+  if (laws_.empty() || now == surface_found_) {
+    return;
+  }
+  surface_found_ = now;
+  if (problem_.settings.method == FluxMethod::particle) {
+    const NodalAreas<Dim> areas = particle_areas(points_, problem_);
+    laws_.assign(problem_.grid, areas, [&] { return projected_places<Dim>(areas); });
+    return;
+  }
+  const NodalAreas<Dim> areas = surface_->areas(points_, coefficients_, grid_.sums);
+  negative_share_ = areas.negative_share();
+  laws_.assign(problem_.grid, areas, [&] {
+    return surface_places<Dim>(problem_.grid, points_, problem_.shape, coefficients_.half_width,
+                               areas);
+  });
+  if (laws_.has_held_temperature()) {
+    const auto is_active = [&](Index node) { return grid_.capacity[node] > 0.0; };
+    laws_.place_probes(problem_.grid, is_active,
+                       nodal_conductivity(points_, problem_, coefficients_, grid_.sums));
+  }
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::conduct() {
+  grid_.conduct(points_, order_);
+}
+
+template <int Dim>
+double ParticleHeat<Dim>::blend(double step) const {
+  switch (transfer_) {
+    case HeatTransfer::flip:
+      return 0.0;
+    case HeatTransfer::affine: {
+      const double h = problem_.grid.cell_size();
+      return -std::expm1(-problem_.settings.blend * step * coefficients_.largest_diffusivity /
+                         (h * h));
+    }
+    default:
+      return 1.0;
+  }
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::update_points(const Step& step) {
+  const double beta = blend(step.size);
+  relax_points();
+  grid_.for_active_nodes([&](Index begin, Index end) {
+    for (Index node = begin; node < end; ++node) {
+      grid_.blended[node] = grid_.increment[node] + beta * grid_.temperature[node];
+    }
+  });
+  grid_.update(points_, grid_.blended, beta, temperature_.data(),
+               affine_ ? gradient_->data() : nullptr);
+  output_is_current_ = false;
+  if (step.output_due) {
+    grid_.for_active_nodes([&](Index begin, Index end) {
+      for (Index node = begin; node < end; ++node) {
+        grid_.blended[node] = grid_.increment[node] + grid_.temperature[node];
+      }
+    });
+    show(grid_.blended);
+  }
+}
+
+template class ParticleHeat<1>;
+template class ParticleHeat<2>;
+template class ParticleHeat<3>;
+
+}  // namespace lapilli

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "lapilli/mpm/heat/boundary_conditions.hpp"
+#include "lapilli/mpm/heat/heat_problem.hpp"
+#include "lapilli/mpm/heat/heat_source.hpp"
+#include "lapilli/mpm/heat/heat_surface.hpp"
+#include "lapilli/mpm/heat/point_grid_transfer.hpp"
+#include "lapilli/mpm/heat/temperature_range.hpp"
+#include "lapilli/mpm/transfer/cell_order.hpp"
+
+namespace lapilli {
+
+/// Heat conduction on points that carry temperature, and may move: points -> grid -> points every
+/// step. All transfers are one update with a blend beta,
+///
+///   T_p <- (1 - beta) T_p + S . (dT + beta T)      G_p <- (1 - beta) G_p + grad S . (dT + beta T)
+///
+/// FLIP and PIC have no gradient G and beta 0 and 1; TPIC has beta 1; `affine` has
+/// beta = 1 - exp(-c dt alpha/h^2), so that its smoothing does not depend on the step.
+template <int Dim>
+class ParticleHeat final : public Physics, public HasSurface {
+ public:
+  ParticleHeat(Points& points, HeatProblem<Dim> problem);
+
+  std::string name() const override { return "heat"; }
+  StepLimit step_limit() const override;
+  StepReport advance(const Step& step) override;
+  void refresh_output() override;
+  std::vector<Field> fields() override;
+  std::vector<Balance> balances() const override;
+  std::vector<std::pair<std::string, double>> diagnostics() const override;
+  SurfaceView surface() const override { return laws_.surface(); }
+  void save(Archive& archive) const override;
+  void load(const Archive& archive) override;
+
+  /// What points carry, K: for laws of other physics, and for them to add heat to.
+  PointArray& carried_temperature() { return temperature_; }
+  const PointArray& capacity() const { return capacity_; }  // rho0 c V0, J/K
+  /// Book heat that another physics added to the carried temperatures, J.
+  void book_plastic(double heat) {
+    plastic_ += heat;
+    range_ = {};
+  }
+
+ private:
+  void bound_step();
+
+  // The phases of a step.
+  void project_to_grid();
+  void find_surface();
+  void conduct();
+  void exchange_with_surroundings(const Step& step);
+  void solve_nodes(const Step& now);
+  void relax_points();
+  void update_points(const Step& step);
+
+  void exchange_at_points(const Step& step);
+  void heat_by_sources(const Step& step);
+  void find_growth(double time);
+  double blend(double step) const;
+  void show(const std::vector<double>& nodal);
+  void require_finite() const;
+  /// Throws RunError when nodes have left every temperature that the scene can reach.
+  void require_in_range() const;
+
+  Points& points_;
+  HeatProblem<Dim> problem_;
+  HeatCoefficients<Dim> coefficients_;
+  HeatTransfer transfer_;
+  bool affine_;  // points carry a gradient
+  PointArray temperature_, capacity_;
+  std::unique_ptr<PointArray> gradient_;
+  CellOrder<Dim> order_;
+  PointGridTransfer<Dim> grid_;
+  BoundaryConditions<Dim> laws_;
+  std::unique_ptr<HeatSurface<Dim>> surface_;
+  std::pair<Index, Index> surface_found_{-1, -1};  // version and ordering of the points
+  std::optional<HeatSource<Dim>> source_;
+  // FLIP under strong exchange (coefficient h / conductivity > 1): the share of the gap to the
+  // surroundings that a node closed in the step, zero elsewhere. Points follow by the same share;
+  // by increments alone they would be carried past the surroundings.
+  std::vector<double> relaxation_;
+  double conductivity_ = 0.0;  // the least of the bodies, W/(m K)
+  bool relaxes_ = false;       // some node in this step
+  StepLimit limit_;
+  double carried_limit_ = std::numeric_limits<double>::infinity();  // s, of FLIP at the start
+  TemperatureRange range_;
+  double growth_ = 0.0;          // 1/s, of sources that heat themselves
+  Index limited_ordering_ = -1;  // ordering that limit_ was bounded for
+  double initial_ = 0.0;         // J
+  double plastic_ = 0.0;         // J, from plastic work
+  double area_ = 0.0, negative_share_ = 0.0;
+
+  std::unique_ptr<PointArray> output_temperature_, output_flux_;
+  bool output_is_current_ = false;
+};
+
+}  // namespace lapilli

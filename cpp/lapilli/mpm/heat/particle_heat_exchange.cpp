@@ -1,0 +1,167 @@
+// What the points exchange with their surroundings in a step: sources and laws of the surface.
+#include <algorithm>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/particle_heat.hpp"
+#include "lapilli/mpm/transfer/weights.hpp"
+
+namespace lapilli {
+
+template <int Dim>
+void ParticleHeat<Dim>::exchange_with_surroundings(const Step& step) {
+  if (laws_.empty()) {
+    return;
+  }
+  if (problem_.settings.method == FluxMethod::particle) {
+    exchange_at_points(step);
+    return;
+  }
+  laws_.evaluate_over(grid_.temperature, step.time, step.time + step.size);
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::exchange_at_points(const Step& step) {
+  laws_.evaluate_over(temperature_.values(), step.time, step.time + step.size);
+  for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
+    const auto& n = laws_.nodes()[law];
+    double heat = 0.0;
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      const Index row = n.node[k];
+      heat += step.size * n.rate[k];
+      with_shape(problem_.shape, coefficients_.half_width[points_.body()[row]], [&](auto shape) {
+        const Weights<Dim, decltype(shape)> weights(problem_.grid, shape,
+                                                    points_.position().data() + row * Dim);
+        weights.for_each_node(problem_.grid, [&](Index node, double s, const Vec<Dim>&) {
+          grid_.rate[node] += s * n.rate[k];
+        });
+      });
+    }
+    laws_.book(law, heat);
+  }
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::find_growth(double time) {
+  source_->assign(points_, problem_, coefficients_.half_width);
+  growth_ = 0.0;
+  for (const auto& n : source_->evaluate_over(grid_.temperature, time, time)) {
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      const double capacity = grid_.capacity[n.node[k]];
+      growth_ = std::max(growth_, capacity > 0.0 ? -n.slope[k] / capacity : 0.0);
+    }
+  }
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::heat_by_sources(const Step& step) {
+  if (!source_) {
+    return;
+  }
+  source_->assign(points_, problem_, coefficients_.half_width);
+  double heat = 0.0;
+  growth_ = 0.0;
+  for (const auto& n :
+       source_->evaluate_over(grid_.temperature, step.time, step.time + step.size)) {
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      const double capacity = grid_.capacity[n.node[k]];
+      if (!(capacity > 0.0)) {
+        continue;
+      }
+      // As the laws of the surface, at the end of the step where the source restores.
+      const double slope = std::max(n.slope[k], 0.0);
+      double& increment = grid_.increment[n.node[k]];
+      const double rise =
+          step.size * (n.rate[k] - slope * increment) / (capacity + step.size * slope);
+      increment += rise;
+      heat += capacity * rise;
+      growth_ = std::max(growth_, -n.slope[k] / capacity);
+    }
+  }
+  source_->book(heat);
+  if (growth_ * step.size > 1.0) {
+    throw RunError(
+        message("heat: a source rises with the temperature so fast that it heats itself "
+                "e-fold in ",
+                1.0 / growth_, " s, less than the step of ", step.size, " s; take smaller steps"));
+  }
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::solve_nodes(const Step& now) {
+  const double step = now.size;
+  grid_.for_active_nodes([&, step](Index begin, Index end) {
+    const double* capacity = grid_.capacity.data();
+    const double* rate = grid_.rate.data();
+    double* increment = grid_.increment.data();
+    for (Index node = begin; node < end; ++node) {
+      increment[node] = capacity[node] > 0.0 ? step * rate[node] / capacity[node] : 0.0;
+    }
+  });
+  heat_by_sources(now);
+  if (problem_.settings.method == FluxMethod::particle) {
+    return;
+  }
+  for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
+    const auto& n = laws_.nodes()[law];
+    double heat = 0.0;
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      const double capacity = grid_.capacity[n.node[k]];
+      if (!(capacity > 0.0)) {
+        continue;
+      }
+      // The law at the end of the step: (C + dt slope) dT = dt (others + rate). In this form the
+      // heat stays exact where a stiff law leaves a small difference of large rates.
+      const double slope = problem_.settings.implicit_robin ? n.slope[k] : 0.0;
+      double& increment = grid_.increment[n.node[k]];
+      const double rise = step * (n.rate[k] - slope * increment) / (capacity + step * slope);
+      if (!relaxation_.empty() && n.area[k] > 0.0) {
+        const double biot = slope / n.area[k] * problem_.grid.cell_size() / conductivity_;
+        relaxation_[n.node[k]] =
+            std::clamp(biot - 1.0, 0.0, 1.0) * step * slope / (capacity + step * slope);
+        relaxes_ = relaxes_ || biot > 1.0;
+      }
+      increment += rise;
+      heat += capacity * rise;
+    }
+    laws_.book(law, heat);
+  }
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::relax_points() {
+  if (!relaxes_) {
+    return;
+  }
+  // T_p += sum S_I beta_I (T_I - T_p) keeps the heat of every node; with the increment
+  // beta_I (ambient - T_I) of the law, what a point carries becomes a mean of itself and ambient.
+  parallel_for(points_.size(), [&](Index row) {
+    const std::size_t body = points_.body()[row];
+    with_shape(problem_.shape, coefficients_.half_width[body], [&](auto shape) {
+      const Weights<Dim, decltype(shape)> weights(problem_.grid, shape,
+                                                  points_.position().data() + row * Dim);
+      double change = 0.0;
+      weights.for_each_node(problem_.grid, [&](Index node, double s, const Vec<Dim>&) {
+        change += s * relaxation_[node] * (grid_.temperature[node] - temperature_[row]);
+      });
+      temperature_[row] += change;
+    });
+  });
+  for (const auto& n : laws_.nodes()) {
+    for (const Index node : n.node) {
+      relaxation_[node] = 0.0;
+    }
+  }
+  relaxes_ = false;
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                            \
+  template void ParticleHeat<Dim>::exchange_with_surroundings(const Step&); \
+  template void ParticleHeat<Dim>::find_growth(double);                     \
+  template void ParticleHeat<Dim>::solve_nodes(const Step&);                \
+  template void ParticleHeat<Dim>::relax_points();
+LAPILLI_INSTANTIATE(1)
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+}  // namespace lapilli

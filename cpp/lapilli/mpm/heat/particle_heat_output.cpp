@@ -1,0 +1,164 @@
+#include "lapilli/mpm/heat/particle_heat.hpp"
+
+#include <atomic>
+#include <cmath>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/heat_balance.hpp"
+
+namespace lapilli {
+
+template <int Dim>
+void ParticleHeat<Dim>::show(const std::vector<double>& nodal) {
+  if (!output_temperature_) {
+    output_temperature_ = std::make_unique<PointArray>(points_, 1);
+    output_flux_ = std::make_unique<PointArray>(points_, Dim);
+  }
+  grid_.interpolate(points_, nodal, output_temperature_->data(), output_flux_->data());
+  output_is_current_ = true;
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::require_finite() const {
+  for (Index row = 0; row < points_.size(); ++row) {
+    if (!std::isfinite(temperature_[row])) {
+      throw RunError(message(
+          "heat: temperature of point ", points_.id()[row],
+          " is not finite; a boundary condition or source gave such a value, or the step is "
+          "too large for it"));
+    }
+  }
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::require_in_range() const {
+  std::atomic<Index> stray = -1;
+  const double low = range_.low, high = range_.high;
+  grid_.for_active_nodes([&](Index begin, Index end) {
+    for (Index node = begin; node < end; ++node) {
+      const double value = grid_.temperature[node];
+      if (!(value >= low && value <= high) && grid_.capacity[node] > 0.0) {
+        stray.store(node, std::memory_order_relaxed);
+      }
+    }
+  });
+  if (stray >= 0) {
+    const Index node = stray;
+    require_finite();
+    throw RunError(message("heat: ", grid_.temperature[node], " at (",
+                           problem_.grid.node_position(node).transpose(),
+                           ") is far beyond all that the scene can reach, ", low, " to ", high,
+                           " at the most: the step is too large for its conditions"));
+  }
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::refresh_output() {
+  if (!output_is_current_) {
+    order_.update(points_);
+    project_to_grid();
+    show(grid_.temperature);
+  }
+  require_finite();
+}
+
+template <int Dim>
+std::vector<Field> ParticleHeat<Dim>::fields() {
+  if (!output_temperature_) {
+    refresh_output();
+  }
+  return {{"temperature", "K", 1, output_temperature_->values()},
+          {"temperature_carried", "K", 1, temperature_.values()},
+          {"heat_flux", "W/m^2", Dim, output_flux_->values()}};
+}
+
+template <int Dim>
+std::vector<Balance> ParticleHeat<Dim>::balances() const {
+  Balance balance{"heat", "J", initial_, 0.0, laws_.entries(), 0.0};
+  if (source_) {
+    balance.entries.push_back({"source", source_->booked()});
+  }
+  if (plastic_ != 0.0) {
+    balance.entries.push_back({"plastic work", plastic_});
+  }
+  add_stored_heat(capacity_.values(), temperature_.values(), balance);
+  return {balance};
+}
+
+template <int Dim>
+std::vector<std::pair<std::string, double>> ParticleHeat<Dim>::diagnostics() const {
+  return surface_diagnostics(laws_, negative_share_);
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::save(Archive& archive) const {
+  archive.write("heat/temperature", temperature_.values());
+  archive.write("heat/capacity", capacity_.values());
+  if (gradient_) {
+    archive.write("heat/gradient", std::span<const double>(std::as_const(*gradient_).values()));
+  }
+  order_.save(archive, "heat/strips");
+  laws_.save(archive, "heat/laws");
+  if (surface_) {
+    surface_->save(archive, "heat/outside");
+  }
+  archive.write("heat/initial", initial_);
+  archive.write("heat/growth", growth_);
+  archive.write("heat/plastic", plastic_);
+  archive.write("heat/source", source_ ? source_->booked() : 0.0);
+  archive.write("heat/limit", std::array{limit_.hard, limit_.automatic});
+  archive.write("heat/shown", output_is_current_ ? Index{1} : Index{0});
+  if (output_is_current_) {
+    archive.write("heat/output_temperature", std::as_const(*output_temperature_).values());
+    archive.write("heat/output_flux", std::as_const(*output_flux_).values());
+  }
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::load(const Archive& archive) {
+  archive.read("heat/temperature", temperature_.values());
+  archive.read("heat/capacity", capacity_.values());
+  if (gradient_) {
+    archive.read("heat/gradient", gradient_->values());
+  }
+  order_.load(archive, "heat/strips");
+  laws_.load(archive, "heat/laws");
+  if (surface_) {
+    surface_->load(archive, "heat/outside");
+  }
+  initial_ = archive.read_number("heat/initial");
+  plastic_ = archive.read_number("heat/plastic");
+  growth_ = archive.read_number("heat/growth");
+  range_ = plastic_ != 0.0 ? TemperatureRange{} : range_;
+  if (source_) {
+    source_->set_booked(archive.read_number("heat/source"));
+  }
+  std::array<double, 2> limits{};
+  archive.read("heat/limit", std::span<double>(limits));
+  limit_.hard = limits[0];
+  limit_.automatic = limits[1];
+  limited_ordering_ = points_.ordering();
+  output_is_current_ = archive.read_index("heat/shown") != 0;
+  if (output_is_current_) {
+    show(grid_.temperature);
+    archive.read("heat/output_temperature", output_temperature_->values());
+    archive.read("heat/output_flux", output_flux_->values());
+  }
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                                               \
+  template void ParticleHeat<Dim>::require_finite() const;                                     \
+  template void ParticleHeat<Dim>::require_in_range() const;                                   \
+  template void ParticleHeat<Dim>::show(const std::vector<double>& nodal);                     \
+  template void ParticleHeat<Dim>::refresh_output();                                           \
+  template std::vector<Field> ParticleHeat<Dim>::fields();                                     \
+  template std::vector<Balance> ParticleHeat<Dim>::balances() const;                           \
+  template std::vector<std::pair<std::string, double>> ParticleHeat<Dim>::diagnostics() const; \
+  template void ParticleHeat<Dim>::save(Archive& archive) const;                               \
+  template void ParticleHeat<Dim>::load(const Archive& archive);
+LAPILLI_INSTANTIATE(1)
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+}  // namespace lapilli

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lapilli/core/balance.hpp"
+#include "lapilli/core/physics.hpp"
+#include "lapilli/mpm/heat/heat_settings.hpp"
+
+namespace lapilli {
+
+/// Places on the true surface where one law acts, each standing for a piece of it.
+struct SurfaceSites {
+  std::vector<Vec3> position;  // m
+  std::vector<Vec3> normal;    // unit, outward
+  std::vector<double> area;    // m^(dim-1)
+  std::vector<double> hold;    // W/(m^2 K), coefficient of a temperature that is held there
+
+  // Of the last evaluation, at the temperature of the surface itself:
+  std::vector<double> state;  // K
+  std::vector<double> rate;   // W/m^2 into the body
+  std::vector<double> slope;  // W/(m^2 K), -d rate/dT for the implicit side, not negative
+};
+
+/// What a law is where it is the same all over its surface: rate = coefficient (ambient - T) +
+/// flux.
+struct UniformLaw {
+  double coefficient = 0.0;  // W/(m^2 K)
+  double ambient = 0.0;      // K
+  double flux = 0.0;         // W/m^2
+};
+
+/// The boundary laws of a scene where the surface itself is known. Convection, radiation and a
+/// prescribed temperature are one law, rate = coefficient (ambient - T) at the surface's own
+/// temperature: radiation with the secant coefficient, which no step overshoots, a prescribed
+/// temperature with 1e4 conductivity / cell. Tables count by their mean over the step, functions in
+/// its middle.
+class SurfaceConditions {
+ public:
+  /// `zero` is absolute zero in the unit of the temperatures.
+  explicit SurfaceConditions(std::vector<HeatBoundary> laws, double zero = 0.0);
+
+  /// Let strong laws take hold over the first spans of this length (s) after the start and after
+  /// every jump of their tables: a coefficient of 30 conductivity / cell at most, doubled from span
+  /// to span. A surface that is held at once throws nodes beside it out of the range.
+  void take_hold_over(double span) { hold_span_ = span; }
+  /// The last jump of a table up to this time; the start where there is none, s.
+  double last_jump(double time) const;
+
+  std::size_t size() const { return laws_.size(); }
+  bool empty() const { return laws_.empty(); }
+  const HeatBoundary& operator[](std::size_t law) const { return laws_[law]; }
+  bool holds_temperature(std::size_t law) const;
+  /// Whether the law is the same all over a surface of one material, whatever its temperature.
+  bool is_uniform(std::size_t law) const;
+  /// Whether rates are linear in the temperature.
+  bool is_linear() const;
+  /// Whether a table of any law jumps in [from, to).
+  bool jumps_within(double from, double to) const;
+
+  /// A uniform law over a step; `hold` is the coefficient of a prescribed temperature.
+  UniformLaw uniform(std::size_t law, double hold, double from, double to) const;
+  /// Rates and slopes of any law over a step at sites.state.
+  void evaluate(std::size_t law, SurfaceSites& sites, double from, double to) const;
+
+  void book(std::size_t law, double heat) { account_[law].add(heat); }  // J came in
+  std::vector<Balance::Entry> entries() const;
+  void save(Archive& archive, const std::string& name) const;
+  void load(const Archive& archive, const std::string& name);
+
+ private:
+  /// A sum that keeps what rounding drops (Neumaier 1974).
+  struct Account {
+    double sum = 0.0, dropped = 0.0;
+    void add(double value);
+  };
+
+  /// How much of the coefficient of a prescribed temperature a law may have, up to 1.
+  double hold_over(std::size_t law, double from, double to) const;
+
+  std::vector<HeatBoundary> laws_;
+  std::vector<Account> account_;
+  double zero_;
+  double hold_span_ = 0.0;  // s
+};
+
+}  // namespace lapilli

@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "dynamics/fixtures.hpp"
+
+using namespace dynamics_test;
+
+namespace {
+
+/// A column of dry soil, half of it, against a roller on its axis and a no-slip floor, let go.
+std::unique_ptr<Run<2>> column(double aspect, double h, int per_axis, StressUpdate update) {
+  const double radius = 1.0, reach = radius * (1.0 + 4.0 * std::max(aspect, 1.0));
+  const double width = std::ceil(reach / h) * h,
+               height = std::ceil((aspect * radius + 0.5) / h) * h;
+  auto run = std::make_unique<Run<2>>(Grid<2>({0, 0}, {width, height}, h), ShapeFunction::gimp);
+  DynamicsBody body{soil(1e6, 30), 0.25, {}, {}};
+  run->add(body, per_axis,
+           [=](const Vec<2>& x) { return x[0] < radius && x[1] < aspect * radius; });
+  run->problem.settings.gravity = {0, -9.81};
+  run->problem.settings.stress_update = update;
+  run->roller(0, 0);
+  run->no_slip(1, 0);
+  run->start();
+  return run;
+}
+
+/// As far as 99.5 % of the points have come: single points fly ahead of a collapse.
+double front(const Run<2>& run) {
+  std::vector<double> x;
+  for (Index row = 0; row < run.points.size(); ++row) {
+    x.push_back(run.points.position<2>(row)[0]);
+  }
+  const auto place = x.begin() + static_cast<std::ptrdiff_t>(0.995 * static_cast<double>(x.size()));
+  std::nth_element(x.begin(), place, x.end());
+  return *place;
+}
+
+/// Until the motion has died down: some times the time of fall.
+void collapse(Run<2>& run, double aspect) { run.until(3.0 * std::sqrt(2.0 * aspect / 9.81) + 1.5); }
+
+}  // namespace
+
+TEST_CASE("a collapsing column closes its energy account") {
+  for (StressUpdate update : all_updates) {
+    auto run = column(1.0, 0.1, 3, update);
+    const double before = run->value("potential energy");
+    collapse(*run, 1.0);
+    const double released = before - run->value("potential energy");
+    const Balance energy = run->solver->balances()[0];
+    const double gap = energy.stored - energy.initial - energy.supplied();
+    CAPTURE(name_of(update), released, gap / released, run->value("plastic dissipation") / released,
+            run->value("transfer loss") / released, run->value("wall impact") / released,
+            run->value("wall friction") / released);
+    CHECK(std::abs(gap) < 0.01 * released);
+    CHECK(run->value("plastic dissipation") > 0.3 * released);
+    CHECK(run->value("kinetic energy") < 0.01 * released);
+  }
+}
+
+TEST_CASE("run-out of a short column lies between the published laws") {
+  // (d_inf - d_i) / d_i = 1.2 a (Lube et al. 2005) to 1.35 times that: the laws for the plane reach
+  // 1.8 a (Lajeunesse et al. 2005), and nothing but friction damps here.
+  auto run = column(1.0, 0.1, 3, StressUpdate::musl);
+  collapse(*run, 1.0);
+  const double run_out = front(*run) - 1.0;
+  CAPTURE(run_out);
+  CHECK(run_out > 1.2);
+  CHECK(run_out < 1.5 * 1.2);  // 1.62 here, 1.76 at half the cell
+}
+
+TEST_CASE("run-out over aspect ratio and cell size", "[.slow]") {
+  for (double aspect : {0.5, 1.0, 1.5, 2.0, 4.0, 8.0}) {
+    for (double h : {0.1, 0.05, 0.025}) {
+      if (aspect > 2.0 && h < 0.05) {
+        continue;
+      }
+      auto run = column(aspect, h, 3, StressUpdate::musl);
+      const double before = run->value("potential energy");
+      collapse(*run, aspect);
+      const double run_out = front(*run) - 1.0;
+      const Balance energy = run->solver->balances()[0];
+      const double gap = (energy.stored - energy.initial - energy.supplied()) /
+                         (before - run->value("potential energy"));
+      WARN("a " << aspect << " h " << h << " run-out " << run_out << " over a: " << run_out / aspect
+                << " over 1.9 a^(2/3): " << run_out / (1.9 * std::pow(aspect, 2.0 / 3.0))
+                << " energy gap " << gap << " steps " << run->index);
+      CHECK(std::abs(gap) < 0.01);
+      if (aspect <= 1.5 && h < 0.1) {  // ten cells under a column of 0.5 m are too few
+        CHECK(run_out > 1.2 * aspect);
+        CHECK(run_out < 1.35 * 1.2 * aspect);
+      }
+    }
+  }
+}
+
+namespace {
+
+/// A layer of soil on a rough plane inclined by `slope`, in axes along and across it, started from
+/// the stress of an infinite slope. Returns the largest displacement over the cell size.
+double creep(double slope, double h, double time) {
+  const double depth = 0.5, angle = slope * std::numbers::pi / 180, g = 9.81, density = 2000;
+  Run<2> run(Grid<2>({0, 0}, {4.0, 1.0}, h), ShapeFunction::gimp);
+  // Held at both ends by its own weight's stress on no-slip walls.
+  const double k0 = 0.6;
+  DynamicsBody body{soil(1e6, 30), 0.25, {}, [=](const Vec3& x) {
+                      const double across = -density * g * std::cos(angle) * (depth - x[1]);
+                      const double shear = -density * g * std::sin(angle) * (depth - x[1]);
+                      return SymmetricTensor(k0 * across, across, k0 * across, -shear, 0, 0);
+                    }};
+  run.add(body, 3, [=](const Vec<2>& x) { return x[1] < depth; });
+  run.problem.settings.gravity = {g * std::sin(angle), -g * std::cos(angle)};
+  run.no_slip(0, 0);
+  run.no_slip(0, 1);
+  run.no_slip(1, 0);
+  run.start();
+  std::vector<Vec<2>> start(static_cast<std::size_t>(run.points.size()));
+  for (Index row = 0; row < run.points.size(); ++row) {
+    start[run.points.id()[row]] = run.points.position<2>(row);
+  }
+  run.until(time);
+  double furthest = 0.0;
+  for (Index row = 0; row < run.points.size(); ++row) {
+    furthest =
+        std::max(furthest, (run.points.position<2>(row) - start[run.points.id()[row]]).norm());
+  }
+  return furthest / h;
+}
+
+}  // namespace
+
+TEST_CASE("a slope below the friction angle stays") {
+  const double moved = creep(20.0, 0.1, 2.0);
+  CAPTURE(moved);
+  CHECK(moved < 0.1);
+}
+
+TEST_CASE("a slope below the friction angle stays for ten seconds", "[.slow]") {
+  for (double h : {0.1, 0.05}) {
+    const double moved = creep(20.0, h, 10.0);
+    WARN("h " << h << ": moved " << moved << " cells");
+    CHECK(moved < 0.1);
+  }
+}

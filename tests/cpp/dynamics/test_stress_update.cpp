@@ -1,0 +1,107 @@
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "lapilli/mpm/dynamics/stress_update.hpp"
+
+using namespace lapilli;
+
+namespace {
+
+/// One update of `rows` equal points; the displacement gradient is given in full.
+template <int Dim>
+SymmetricTensor deform(const StressMaterial& material, const Mat3& gradient, SymmetricTensor stress,
+                       double* volume = nullptr, double free_strain = 0.0) {
+  constexpr int rows = 5, components = Dim == 2 ? 4 : 6;  // a quad and a rest
+  DeformationBlock<Dim> block;
+  double stresses[rows * 6], volumes[rows], masses[rows], strains[rows];
+  for (int row = 0; row < rows; ++row) {
+    for (int c = 0; c < Dim * Dim; ++c) {
+      block.gradient[c][row] = gradient(c / Dim, c % Dim);
+    }
+    for (int c = 0; c < components; ++c) {
+      stresses[row * components + c] = stress[c];
+    }
+    volumes[row] = volume ? *volume : 1.0;
+    masses[row] = 1.0;
+    strains[row] = free_strain;
+  }
+  const StressRows at{stresses, volumes, masses, strains, nullptr};
+  update_stress<Dim>(material, block, at, 0, rows);
+  for (int c = 0; c < components; ++c) {
+    stress[c] = stresses[c];
+    REQUIRE(stresses[(rows - 1) * components + c] == stresses[c]);  // quads and rests agree
+  }
+  if (volume) {
+    *volume = volumes[0];
+  }
+  return stress;
+}
+
+double distance(const SymmetricTensor& a, const SymmetricTensor& b) {
+  return (a.matrix() - b.matrix()).norm();
+}
+
+}  // namespace
+
+TEST_CASE("a prescribed finite rotation turns the stress exactly") {
+  const StressMaterial material{Solid(LinearElastic{1.0, 1e3, 0.3})};
+  const SymmetricTensor start(3.0, -1.0, 0.5, 2.0, 0.0, 0.0);
+  for (int steps : {3, 7, 360}) {
+    const double angle = 2 * std::numbers::pi / steps;
+    for (int dimension : {2, 3}) {
+      const Vec3 axis = dimension == 2 ? Vec3::UnitZ() : Vec3(1, -2, 3).normalized();
+      const Mat3 turn = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+      SymmetricTensor stress = start, expected = start;
+      double volume = 1.0;
+      for (int k = 0; k < steps; ++k) {
+        const Mat3 gradient = turn - Mat3::Identity();
+        stress = dimension == 2 ? deform<2>(material, gradient, stress, &volume)
+                                : deform<3>(material, gradient, stress, &volume);
+        expected = symmetric_part(Mat3(turn * expected.matrix() * turn.transpose()));
+        REQUIRE(distance(stress, expected) <= 1e-10);
+      }
+      CHECK(distance(stress, start) <= 1e-10);
+      CHECK(volume == Approx(1.0).epsilon(1e-12));
+    }
+  }
+}
+
+TEST_CASE("a stretch in one step gives its logarithmic strain to third order") {
+  const LinearElastic solid{1.0, 1e3, 0.2};
+  const StressMaterial material{Solid(solid)};
+  double error[2];
+  for (int k = 0; k < 2; ++k) {
+    const double stretch = k == 0 ? 0.2 : 0.1;
+    double volume = 1.0;
+    const SymmetricTensor stress =
+        deform<3>(material, Vec3(stretch, 0, 0).asDiagonal(), SymmetricTensor(), &volume);
+    error[k] = std::abs(stress[0] / solid.wave_modulus() - std::log1p(stretch));
+    REQUIRE(volume == Approx(1 + stretch).epsilon(1e-14));
+    REQUIRE(stress[1] == Approx(stress[0] * 0.2 / 0.8).epsilon(1e-12));  // uniaxial strain
+  }
+  REQUIRE(error[0] < 1e-3);
+  REQUIRE(std::log2(error[0] / error[1]) > 2.8);
+}
+
+TEST_CASE("plane strain is the full form with nothing across") {
+  Mat3 gradient = Mat3::Zero();
+  gradient.topLeftCorner<2, 2>() << 0.02, -0.05, 0.03, -0.01;
+  const SymmetricTensor start(-3.0, -1.0, -2.0, 0.4, 0.0, 0.0);
+  for (const Solid& solid : {Solid(LinearElastic{1.0, 10.0, 0.3}),
+                             Solid(MohrCoulomb{{1.0, 10.0, 0.3}, 30.0, 10.0, 0.1})}) {
+    const StressMaterial material(solid);
+    REQUIRE(distance(deform<2>(material, gradient, start), deform<3>(material, gradient, start)) <
+            1e-13);
+  }
+}
+
+TEST_CASE("free strain that is held gives the pressure of the bulk modulus") {
+  const LinearElastic solid{1.0, 1e3, 0.25};
+  const SymmetricTensor stress =
+      deform<2>(StressMaterial{Solid(solid)}, Mat3::Zero(), SymmetricTensor(), nullptr, 1e-3);
+  for (int c = 0; c < 3; ++c) {
+    REQUIRE(stress[c] == Approx(-3 * solid.bulk_modulus() * 1e-3).epsilon(1e-13));
+  }
+  REQUIRE(stress[3] == 0.0);
+}
