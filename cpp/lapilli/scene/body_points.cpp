@@ -8,6 +8,7 @@
 #include "lapilli/geometry/sources.hpp"
 #include "lapilli/geometry/support.hpp"
 #include "lapilli/scene/build_peridynamics.hpp"
+#include "lapilli/scene/fluid_frame.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/scene_file.hpp"
 
@@ -74,6 +75,9 @@ FilledPoints filled_shape(const Scene& scene, const Body& body) {
   options.jitter = body.jitter;
   options.random = body.random;
   options.seed = static_cast<std::uint64_t>(body.seed);
+  if (flows(scene)) {
+    return FluidFrame(scene, lattice.points_per_axis).fill(*placed_shape(body), options, dimension);
+  }
   FilledPoints points = fill(*body.shape, lattice, options, dimension);
   if (options.clip && body.jitter == 0.0 && conducts_at_rest(scene)) {
     join_small(points, 0.5);  // explicit steps are limited by the smallest
@@ -120,7 +124,11 @@ FilledPoints points_of(const Scene& scene, const Body& body) {
                     : given_points(scene, body);
 }
 
-bool is_placed(const Body& body) { return body.rotation != 0.0 || !body.translation.empty(); }
+/// Whether the points of a body still have to be turned and moved to their places.
+bool is_filled_elsewhere(const Scene& scene, const Body& body) {
+  const bool is_placed = body.rotation != 0.0 || !body.translation.empty();
+  return is_placed && !is_filled_in_place(scene, body) && !(body.shape && flows(scene));
+}
 
 void put_in_place(const Body& body, FilledPoints& points) {
   const Mat3 turn = rotation(body.rotation, place(body.rotation_axis));
@@ -254,7 +262,7 @@ std::vector<FilledPoints> fill_bodies(const Scene& scene) {
     const Body& body = scene.bodies[k];
     at_place(scene, body_path(k), [&] {
       filled.push_back(points_of(scene, body));
-      if (is_placed(body) && !is_filled_in_place(scene, body)) {
+      if (is_filled_elsewhere(scene, body)) {
         put_in_place(body, filled.back());
       }
       require_inside_grid(scene, filled.back());

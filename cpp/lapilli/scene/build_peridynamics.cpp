@@ -8,20 +8,13 @@
 #include "lapilli/geometry/combine.hpp"
 #include "lapilli/peridynamics/build.hpp"
 #include "lapilli/scene/body_points.hpp"
+#include "lapilli/scene/fluid_frame.hpp"
 #include "lapilli/scene/place_errors.hpp"
 
 namespace lapilli {
 namespace {
 
 std::string wall_path(std::size_t index) { return element_path("peridynamics.walls", index); }
-
-Lattice lattice_of(const Scene& scene, double spacing) {
-  Lattice lattice;
-  lattice.lower = place(scene.grid.lower);
-  lattice.cell = scene.grid.cell;
-  lattice.points_per_axis = static_cast<int>(std::lround(scene.grid.cell / spacing));
-  return lattice;
-}
 
 double spacing_of(const Scene& scene, const std::vector<FilledPoints>& filled) {
   for (std::size_t k = 1; k < filled.size(); ++k) {
@@ -31,6 +24,9 @@ double spacing_of(const Scene& scene, const std::vector<FilledPoints>& filled) {
                " m apart; a peridynamic fluid has one spacing");
   }
   const double spacing = filled[0].spacing;
+  if (flows(scene)) {
+    return spacing;  // that of its frame
+  }
   const double share = scene.grid.cell / spacing;
   require_at(std::abs(share - std::round(share)) < 1e-6 * share, scene, "bodies.0", "has points ",
              spacing, " m apart, which do not fit cells of ", scene.grid.cell, " m");
@@ -94,7 +90,7 @@ struct Reach {
 
 /// Those of a wall's points that the fluid can feel and that no wall before it has.
 FilledPoints felt_points(const FilledPoints& all, const std::string& name, const Reach& reach,
-                         const Vec3& origin, Sites& taken) {
+                         const FluidFrame& frame, Sites& taken) {
   FilledPoints kept;
   kept.dimension = all.dimension;
   kept.spacing = all.spacing;
@@ -109,9 +105,7 @@ FilledPoints felt_points(const FilledPoints& all, const std::string& name, const
       continue;  // out of reach, or on the surface, where the fluid has its point
     }
     felt = true;
-    // Points sit in the middle of their boxes.
-    const Vec3 site = ((at - origin) / all.spacing).array().floor();
-    if (taken.insert({std::lround(site[0]), std::lround(site[1]), std::lround(site[2])}).second) {
+    if (taken.insert(frame.site(at)).second) {  // points sit in the middle of their boxes
       kept.position.insert(kept.position.end(), at.data(), at.data() + all.dimension);
       kept.volume.push_back(all.volume[row]);
     }
@@ -130,6 +124,8 @@ bool conducts_at_rest(const Scene& scene) {
          scene.peridynamics->heat->laplacian == Laplacian::corrected;
 }
 
+bool flows(const Scene& scene) { return scene.peridynamics && scene.peridynamics->flow; }
+
 std::vector<FilledPoints> fill_walls(const Scene& scene, const std::vector<FilledPoints>& filled) {
   std::vector<FilledPoints> walls;
   if (!scene.peridynamics) {
@@ -137,15 +133,16 @@ std::vector<FilledPoints> fill_walls(const Scene& scene, const std::vector<Fille
   }
   const double spacing = spacing_of(scene, filled);
   const Reach reach{region_of(scene), longest_horizon(*scene.peridynamics, spacing)};
+  const int per_axis = static_cast<int>(std::lround(scene.grid.cell / spacing));
+  const FluidFrame frame(scene, per_axis);
   FillOptions options;
   options.within = grid_bounds(scene);
   Sites taken;
   for (std::size_t k = 0; k < scene.peridynamics->walls.size(); ++k) {
     const FluidWallBody& wall = scene.peridynamics->walls[k];
     at_place(scene, wall_path(k), [&] {
-      const FilledPoints all =
-          fill(wall.shape, lattice_of(scene, spacing), options, dimension_of(scene));
-      walls.push_back(felt_points(all, wall.name, reach, place(scene.grid.lower), taken));
+      const FilledPoints all = frame.fill(wall.shape, options, dimension_of(scene));
+      walls.push_back(felt_points(all, wall.name, reach, frame, taken));
     });
   }
   return walls;

@@ -14,6 +14,9 @@ namespace lapilli {
 /// surface runs: its points never move and carry the volumes of their parts.
 bool conducts_at_rest(const Scene& scene);
 
+/// Whether a scene has a peridynamic fluid whose particles move.
+bool flows(const Scene& scene);
+
 /// The points of every wall of a peridynamic scene that its fluid can feel, one entry a wall;
 /// nothing where the scene has no [peridynamics]. `filled` holds the points of its bodies. Throws
 /// std::invalid_argument for bodies that differ in spacing or have no shape, and for walls out of
