@@ -41,19 +41,23 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
   require(scene.heat || scene.flow,
           "a peridynamic scene models heat, flow or both; this one has neither section");
   const Fluid& fluid = scene.fluid;
+  std::optional<PeridynamicHeatSettings> heat_settings = scene.heat;
+  if (heat_settings && scene.flow) {
+    heat_settings = for_flow(*heat_settings);
+  }
   require(scene.spacing > 0.0, "the spacing of peridynamic points must be above 0 m, got ",
           scene.spacing);
   double horizon = 0.0;
   if (scene.heat) {
     const CheckRanges ranges{"heat"};
-    check_horizon("thermal", scene.heat->widest_horizon(), scene.spacing);
+    check_horizon("thermal", heat_settings->widest_horizon(), scene.spacing);
     PeridynamicHeatSettings::describe(*scene.heat, ranges);
     check(fluid.thermal);
     require(fluid.thermal.conductivity.is_scalar(),
             "peridynamic heat conducts alike in all directions: give conductivity as a number");
     require(!scene.heat->viscous_dissipation || scene.flow,
             "heat.viscous_dissipation needs a flow; this scene has none");
-    horizon = scene.heat->widest_horizon() * scene.spacing;
+    horizon = heat_settings->widest_horizon() * scene.spacing;
   }
   if (scene.flow) {
     const CheckRanges ranges{"flow"};
@@ -83,7 +87,7 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
   std::vector<std::unique_ptr<Physics>> physics;
   PeridynamicHeat* heat = nullptr;
   if (scene.heat) {
-    auto made = std::make_unique<PeridynamicHeat>(points, walls, *scene.heat, fluid,
+    auto made = std::make_unique<PeridynamicHeat>(points, walls, *heat_settings, fluid,
                                                   scene.flow.has_value());
     heat = made.get();
     physics.push_back(std::move(made));
@@ -93,6 +97,7 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
                           scene.heat && scene.heat->viscous_dissipation);
     if (heat != nullptr) {
       heat->heat_by(made->dissipation());
+      heat->follow_shift(&made->shifted());
     }
     physics.push_back(std::move(made));
   }

@@ -140,6 +140,35 @@ void Conduction<Dim>::rates(const double* temperature, const std::vector<WallSta
   }
 }
 
+// The gradient comes from the areas that conductances mean, G r / k: V grad T is the sum of area
+// times what T differs by on the face of each bond. No point leaves the range of its family.
+template <int Dim>
+void Conduction<Dim>::add_missed(const double* temperature, const std::vector<WallState>& surface,
+                                 const double* shift, double* missed) const {
+  parallel_for(points_.size(), [&](Index i) {
+    if (!families().owns(i)) {
+      return;
+    }
+    const Eigen::Map<const Vec<Dim>> here(position(i)), by(shift + i * Dim);
+    double sum = 0.0, least = 0.0, most = 0.0;
+    for (Index k = families().begin(i); k < families().end(i); ++k) {
+      const Index j = families().neighbour(k);
+      double difference = 0.5 * (temperature[j] - temperature[i]);
+      if (k >= families().wall_begin(i)) {
+        const int wall = walls_.wall(j);
+        const bool holds = walls_.walls()[wall].settings.heat == WallHeat::temperature;
+        difference = holds ? surface[wall].temperature - temperature[i] : 0.0;
+      }
+      const Vec<Dim> bond = Eigen::Map<const Vec<Dim>>(position(j)) - here;
+      sum += bonds_[k] / conductivity_ * by.dot(bond) * difference;
+      least = std::min(least, difference);
+      most = std::max(most, difference);
+    }
+    const double volume = points_.volume()[i];
+    missed[i] += std::clamp(sum, volume * least, volume * most);
+  });
+}
+
 template <int Dim>
 void Conduction<Dim>::diagonal(double* sum) const {
   const std::vector<WallState> still(walls_.walls().size());

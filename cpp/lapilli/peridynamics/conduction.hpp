@@ -23,6 +23,8 @@ class Conduction final : public HeatExchange {
   void refresh() override;
   void rates(const double* temperature, const std::vector<WallState>& surface, double* rate,
              std::vector<double>& from_walls) const override;
+  void add_missed(const double* temperature, const std::vector<WallState>& surface,
+                  const double* shift, double* missed) const override;
   void diagonal(double* sum) const override;
   void wall_rows(const double* temperature, const std::vector<WallState>& surface, double* flux,
                  double* area) const override;

@@ -89,6 +89,7 @@ StepReport PeridynamicHeat::advance(const Step& step) {
   if (step.index % stiffest_every == 0) {
     find_stiffest();
   }
+  interpolate_to_shifted_places();
   exchange_->rates(temperature_.data(), surface_, rate_.data(), from_walls_);
   source_power_ = dissipated_power_ = 0.0;
   for (const FluidBody& body : fluid_.bodies) {
@@ -139,6 +140,29 @@ void PeridynamicHeat::add_source(const FluidBody& body, double time) {
       source_power_ += power;
     }
   }
+}
+
+// A point that is shifted takes the temperature of the place it comes to. Together this adds no
+// heat: what the sums of all points leave over is taken from those that brought it.
+void PeridynamicHeat::interpolate_to_shifted_places() {
+  if (shift_ == nullptr) {
+    return;
+  }
+  std::fill(rate_.values().begin(), rate_.values().end(), 0.0);
+  exchange_->add_missed(temperature_.data(), surface_, shift_->data(), rate_.data());
+  const double gained =
+      parallel_sum(points_.size(), 0.0, [&](Index i) { return std::max(rate_[i], 0.0); });
+  const double lost =
+      parallel_sum(points_.size(), 0.0, [&](Index i) { return std::max(-rate_[i], 0.0); });
+  const double kept = std::min(gained, lost);
+  const double of_gain = gained > 0.0 ? kept / gained : 0.0,
+               of_loss = lost > 0.0 ? kept / lost : 0.0;
+  parallel_for(points_.size(), [&](Index i) {
+    if (capacity_[i] > 0.0) {
+      const double part = rate_[i] > 0.0 ? of_gain : of_loss;
+      temperature_[i] += fluid_.thermal.capacity() * part * rate_[i] / capacity_[i];
+    }
+  });
 }
 
 void PeridynamicHeat::add_dissipation() {

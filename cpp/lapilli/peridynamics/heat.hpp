@@ -26,6 +26,10 @@ class PeridynamicHeat final : public Physics, public Warnings {
   /// Viscous work per volume and time, W/m^3, that a flow gives; nullptr: none.
   void heat_by(const PointArray* dissipation) { dissipation_ = dissipation; }
 
+  /// How far points were shifted in the last step without having flowed there, m, rows x dimension;
+  /// nullptr: not at all.
+  void follow_shift(const PointArray* shift) { shift_ = shift; }
+
   std::string name() const override { return "heat"; }
   StepLimit step_limit() const override;
   StepReport advance(const Step& step) override;
@@ -57,6 +61,7 @@ class PeridynamicHeat final : public Physics, public Warnings {
   void add_source(const FluidBody& body, double time);
   void add_dissipation();
   void update_points(const Step& step);
+  void interpolate_to_shifted_places();
   double stored() const;
   double span() const;  // J, capacity x range of the temperatures
 
@@ -67,6 +72,7 @@ class PeridynamicHeat final : public Physics, public Warnings {
   std::unique_ptr<HeatExchange> exchange_;
   PointArray temperature_, capacity_, rate_, wall_heat_flux_, met_area_;
   const PointArray* dissipation_ = nullptr;
+  const PointArray* shift_ = nullptr;
   std::vector<WallState> surface_;
   std::vector<double> from_walls_;
   double stiffest_ = 0.0;  // 1/s, largest sum of conductances over capacity

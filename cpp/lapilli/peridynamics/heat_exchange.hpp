@@ -29,6 +29,10 @@ class HeatExchange {
   /// Rate of heat into every fluid point, W (rows of other points: 0), and from every wall, W.
   virtual void rates(const double* temperature, const std::vector<WallState>& surface, double* rate,
                      std::vector<double>& from_walls) const = 0;
+  /// Add to each fluid point V shift . grad T, m^dim K: what it lacks for standing where its shift
+  /// (m, rows x dimension) has brought it without having flowed there. Nothing where points rest.
+  virtual void add_missed(const double* /*temperature*/, const std::vector<WallState>& /*surface*/,
+                          const double* /*shift*/, double* /*missed*/) const {}
   /// Sum of the conductances of each fluid point, W/K, which limits an explicit step; 0 where it is
   /// not known. Of what `update` or `refresh` last saw.
   virtual void diagonal(double* sum) const = 0;

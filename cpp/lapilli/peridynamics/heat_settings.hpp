@@ -41,7 +41,7 @@ struct PeridynamicHeatSettings {
   static void describe(Self& self, Visitor& visit) {
     visit(Key("horizon").range(0.0, 10.0).text(
               "thermal horizon, in spacings, above 1; 0: 1.2 for points at rest on a lattice "
-              "that their surface follows, otherwise 1.515"),
+              "that their surface follows, 2.015 for points that flow, otherwise 1.515"),
           self.horizon);
     visit(Key("influence").text("weight of a bond by its length"), self.influence);
     visit(Key("laplacian").text("how conduction is formed from bonds"), self.laplacian);
@@ -58,5 +58,15 @@ struct PeridynamicHeatSettings {
           self.step_factor);
   }
 };
+
+/// The settings with the horizon that points which flow need where none is given. Their bonds are
+/// as irregular as packing makes them: with the eight next neighbours the conductivity of the whole
+/// comes out 2.5 % low, with twenty .5 %, for a tenth of the time of a step.
+inline PeridynamicHeatSettings for_flow(PeridynamicHeatSettings settings) {
+  if (settings.horizon == 0.0 && settings.laplacian == Laplacian::corrected) {
+    settings.horizon = 2.015;
+  }
+  return settings;
+}
 
 }  // namespace lapilli

@@ -60,6 +60,7 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
       density_(points, 1, fluid.newtonian.density),
       mass_(points, 1),
       shift_(points, Dim),
+      shifted_(points, Dim),
       pressure_field_(points, 1),
       force_(points.size()),
       families_(points, weight_.horizon, settings.skin * walls_->spacing(), roles_of(*walls_)),
@@ -174,7 +175,9 @@ void PeridynamicFlow<Dim>::kick_and_drift(const Step& step) {
         v += 0.5 * dt * Eigen::Map<const Vec<Dim>>(acceleration_.data() + i * Dim);
         const Vec<Dim> away = shifting * Eigen::Map<const Vec<Dim>>(shift_.data() + i * Dim);
         const double squared = away.squaredNorm();
-        by = dt * v + (squared > most * most ? most / std::sqrt(squared) : 1.0) * away;
+        Eigen::Map<Vec<Dim>> shifted(shifted_.data() + i * Dim);
+        shifted = (squared > most * most ? most / std::sqrt(squared) : 1.0) * away;
+        by = dt * v + shifted;
       } else if (walls_->walls()[walls_->wall(i)].settings.moves) {
         by = dt * v;
       }

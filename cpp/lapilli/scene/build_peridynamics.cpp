@@ -46,8 +46,11 @@ FluidDistance region_of(const Scene& scene) {
 }
 
 double longest_horizon(const PeridynamicsSettings& settings, double spacing) {
-  return spacing * std::max(settings.heat ? settings.heat->widest_horizon() : 0.0,
-                            settings.flow ? settings.flow->horizon : 0.0);
+  if (!settings.flow) {
+    return spacing * settings.heat->widest_horizon();
+  }
+  const double thermal = settings.heat ? for_flow(*settings.heat).widest_horizon() : 0.0;
+  return spacing * std::max(thermal, settings.flow->horizon);
 }
 
 Vec3 position_of(const FilledPoints& points, std::size_t row) {

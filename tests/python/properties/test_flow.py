@@ -147,3 +147,68 @@ def test_a_disk_warms_as_it_should_and_converges():
         errors.append(abs(taken / exact - 1.0))
     assert errors[1] < 4e-3
     assert math.log2(errors[0] / errors[1]) > 1.5
+
+
+def cavity(sides: int, rayleigh: float, degrees: float, shift: np.ndarray) -> lp.Scene:
+    """A square cavity between a hot and a cold wall, anywhere and at any angle, gravity with it."""
+    cell, wide = 0.0625, 0.25
+    side = sides * cell
+
+    def placed(lower: tuple[float, float], upper: tuple[float, float]) -> lp.Shape:
+        turned = lp.Rotated(shape=lp.Box(lower=lower, upper=upper), degrees=degrees)
+        return lp.Translated(shape=turned, by=tuple(shift * cell))
+
+    walls = [
+        lp.FluidWall(name="hot", shape=placed((-wide, -wide), (0, side + wide))),
+        lp.FluidWall(name="cold", shape=placed((side, -wide), (side + wide, side + wide))),
+        lp.FluidWall(name="bottom", shape=placed((0, -wide), (side, 0))),
+        lp.FluidWall(name="top", shape=placed((0, side), (side, side + wide))),
+    ]
+    for wall, temperature in zip(walls[:2], (1.0, 0.0), strict=True):
+        wall.heat = "temperature"
+        wall.temperature = temperature
+    gravity = 0.71 * rayleigh / side**3
+    angle = math.radians(degrees)
+    air = lp.Newtonian(
+        density=1.0, viscosity=0.71, thermal_expansion=1.0, reference_temperature=0.5
+    )
+    return lp.Scene(
+        grid=lp.Grid(lower=(-1.5, -1.5), upper=(2.5, 2.5), cell=cell),
+        bodies=[
+            lp.Body(
+                name="air",
+                shape=placed((0, 0), (side, side)),
+                points_per_cell=1,
+                temperature=0.5,
+                material=[lp.Thermal(density=1.0, specific_heat=1.0, conductivity=1.0), air],
+            )
+        ],
+        peridynamics=lp.Peridynamics(
+            heat=lp.PeridynamicHeat(),
+            flow=lp.PeridynamicFlow(
+                gravity=(gravity * math.sin(angle), -gravity * math.cos(angle))
+            ),
+            walls=walls,
+        ),
+        time=lp.Time(end=0.5 * side**2),
+    )
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_cavity_convects_the_same_wherever_it_lies(seed: int):
+    """Nusselt number of both walls beside the 1.1178 of de Vahl Davis (1983) at Ra = 1e3, sides of
+    15 to 17.5 spacings of the grid: .8 % off. It was 3 % before points were told where shifting
+    brings them, and 13 % on lattices that did not fit."""
+    generator = np.random.default_rng(seed)
+    sides, shift = generator.uniform(15.0, 17.5), generator.uniform(0.0, 1.0, 2)
+    scene = cavity(sides, 1e3, float(generator.uniform(-60.0, 60.0)), shift)
+    simulation = lp.Simulation(scene)
+    hot, cold = [], []
+    for time in np.linspace(0.6, 1.0, 9) * scene.time.end:
+        simulation.run_until(float(time))
+        numbers = simulation.diagnostics()
+        hot.append(numbers["heat/heat_flow_from_wall_hot"])
+        cold.append(-numbers["heat/heat_flow_from_wall_cold"])
+    assert np.mean(hot) == pytest.approx(1.1178, rel=0.02)
+    assert np.mean(cold) == pytest.approx(np.mean(hot), rel=1e-3)
+    assert simulation.balance()[0].residual == pytest.approx(0.0, abs=1e-12)
