@@ -180,9 +180,7 @@ std::vector<Facet<Dim>> MovingSurface<Dim>::cut(
     const std::function<double(const Vec3&)>& counts) const {
   std::vector<std::function<double(const Vec3&)>> trims;
   if (counts) {
-    // Flat pieces of a curved surface lie off it.
-    trims.push_back(
-        [this, &counts](const Vec3& at) { return counts(is_solid() ? project(*shape_, at) : at); });
+    trims.push_back(counts);
   }
   if (within_) {
     const Vec<Dim> by = offset(time);

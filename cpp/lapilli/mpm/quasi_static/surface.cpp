@@ -23,10 +23,11 @@ bool inside(const Grid<Dim>& grid, const typename Grid<Dim>::Cell& cell) {
   return true;
 }
 
-/// Move a point of a flat piece onto the surface along the normal of the piece, and let it stand
-/// for the surface above its part of the piece. Stays where it is at an edge.
+/// The point of the surface above one of a flat piece, along the normal of the piece; it stands for
+/// the surface above its part of the piece. At an edge the point itself.
 template <int Dim>
-void put_on_surface(const LevelSet& surface, double cell_size, SurfacePoint<Dim>& point) {
+SurfacePoint<Dim> on_surface(const LevelSet& surface, double cell_size,
+                             const SurfacePoint<Dim>& point) {
   constexpr double least_cosine = 0.5;
   Vec<Dim> at = point.position;
   for (int round = 0; round < 20; ++round) {
@@ -34,14 +35,14 @@ void put_on_surface(const LevelSet& surface, double cell_size, SurfacePoint<Dim>
     const Vec<Dim> normal = surface.normal(in_space<Dim>(at)).template head<Dim>();
     const double cosine = normal.dot(point.normal);
     if (!(cosine > least_cosine) || (at - point.position).norm() > 0.5 * cell_size) {
-      return;
+      return point;
     }
     if (std::abs(distance) < 1e-14 * cell_size || round == 19) {
-      point = {at, normal, point.weight / cosine};
-      return;
+      return {at, normal, point.weight / cosine};
     }
     at -= distance / cosine * point.normal;
   }
+  return point;
 }
 
 /// Where a segment crosses grid lines, as shares of its length, ends included.
@@ -226,12 +227,17 @@ std::vector<Facet<Dim>> cut_level_set(const Grid<Dim>& grid, std::span<const cha
         end -= nudge * h * surface.normal(in_space<Dim>(end)).template head<Dim>();
       }
       for (const auto& region : trims) {
-        piece = piece.size() < Dim ? Piece<Dim>{} : trim<Dim>(piece, region, 1e-12 * h);
+        // Pieces of a curved surface are flat: what counts is the surface above them.
+        const auto above = [&](const Vec3& at) {
+          const SurfacePoint<Dim> flat{at.head<Dim>(), *normal, 1.0};
+          return region(in_space<Dim>(on_surface<Dim>(surface, h, flat).position));
+        };
+        piece = piece.size() < Dim ? Piece<Dim>{} : trim<Dim>(piece, above, 1e-12 * h);
       }
       const std::size_t first = facet.points.size();
       add_points<Dim>(piece, *normal, facet.points);
       for (std::size_t k = first; k < facet.points.size(); ++k) {
-        put_on_surface<Dim>(surface, h, facet.points[k]);
+        facet.points[k] = on_surface<Dim>(surface, h, facet.points[k]);
       }
     }
     if (facet.area() > 1e-13 * std::pow(h, Dim - 1)) {

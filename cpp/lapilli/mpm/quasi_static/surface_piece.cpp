@@ -40,6 +40,18 @@ const std::vector<FlatPoint>& flat_rule() {
   return rule;
 }
 
+/// Share of the way where a function that is positive at its start ceases to be. Bisection: regions
+/// bounded by several surfaces are all but zero on one side, which misleads secants.
+template <class Function>
+double last_inside(const Function& function) {
+  double low = 0.0, high = 1.0;
+  for (int round = 0; round < 52; ++round) {
+    const double middle = 0.5 * (low + high);
+    (function(middle) > 0.0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -59,11 +71,11 @@ Piece<Dim> trim(const Piece<Dim>& piece, const std::function<double(const Vec3&)
     }
     const std::size_t next = (k + 1) % count;
     if (k < sides && value[k] * value[next] < 0.0) {
-      const auto along = [&](double share) {
-        return region(in_space<Dim>(piece[k] + share * (piece[next] - piece[k])));
-      };
-      kept.push_back(piece[k] +
-                     zero_between(along, value[k], value[next]) * (piece[next] - piece[k]));
+      const Vec<Dim> along = piece[next] - piece[k];
+      kept.push_back(piece[k] + last_inside([&](double share) {
+                                  return region(in_space<Dim>(piece[k] + share * along)) *
+                                         (value[k] < 0.0 ? -1.0 : 1.0);
+                                }) * along);
     }
   }
   return kept;
