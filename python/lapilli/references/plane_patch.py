@@ -62,10 +62,12 @@ def solve_patch(
     rollers: tuple[str, ...] = (),
     tractions: Mapping[str, npt.ArrayLike] | None = None,
     pressures: Mapping[str, float] | None = None,
+    displaced: Mapping[str, npt.ArrayLike] | None = None,
     body_force: npt.ArrayLike = (0.0, 0.0),
 ) -> Patch:
     """Equilibrium of the patch. Sides are named bottom, right, top, left of the unit square;
-    rollers must be straight. tractions: Pa, by side; pressures: Pa, pushing on the material."""
+    rollers must be straight. tractions: Pa, by side; pressures: Pa, pushing on the material;
+    displaced: m, sides that are moved and held there."""
     nx, ny = elements
     s, t = np.meshgrid(np.linspace(0, 1, 2 * nx + 1), np.linspace(0, 1, 2 * ny + 1), indexing="ij")
     number = np.arange(s.size).reshape(s.shape)
@@ -89,31 +91,47 @@ def solve_patch(
         _push(load, nodes, sides[side], partial(_along, np.asarray(traction, dtype=float)))
     for side, pressure in (pressures or {}).items():
         _push(load, nodes, sides[side], partial(_across, pressure))
-    held, normals = [], []
-    for side in fixed:
+    held, normals, moves = [], [], []
+    still = dict.fromkeys(fixed, np.zeros(2))
+    for side, move in (still | dict(displaced or {})).items():
         for normal in np.eye(2):
             held += list(sides[side])
             normals += [normal] * len(sides[side])
+            moves += [float(normal @ np.asarray(move))] * len(sides[side])
     for side in rollers:
         along = nodes[sides[side][-1]] - nodes[sides[side][0]]
         held += list(sides[side])
         normals += [np.array([-along[1], along[0]]) / np.linalg.norm(along)] * len(sides[side])
-    displacement = _solve(stiffness, load, np.array(held), np.array(normals))
+        moves += [0.0] * len(sides[side])
+    # Stiff enough for 1e-7 of the displacement; more would lose the shear stiffness to rounding
+    # where the bulk modulus is thousands of times larger.
+    spring = 1e7 * max(material.shear, 1e-3 * material.lame)
+    displacement = _solve(
+        stiffness, load, np.array(held), np.array(normals), np.array(moves), spring
+    )
     return Patch(position=nodes, displacement=displacement)
 
 
-def _solve(stiffness: csc_array, load: Array, held: npt.NDArray[np.int_], normals: Array) -> Array:
-    """Stiff springs along the held directions: exact to 1e-9, and corners may be held twice."""
-    spring = 1e9 * float(np.max(np.abs(stiffness.diagonal())))
+def _solve(
+    stiffness: csc_array,
+    load: Array,
+    held: npt.NDArray[np.int_],
+    normals: Array,
+    moves: Array,
+    spring: float,
+) -> Array:
+    """Springs along the held directions, moved by `moves` along them: corners may be held twice."""
     rows = np.concatenate([2 * held + i for i in range(2) for _ in range(2)])
     columns = np.concatenate([2 * held + j for _ in range(2) for j in range(2)])
     values = np.concatenate([normals[:, i] * normals[:, j] for i in range(2) for j in range(2)])
     total = stiffness + csc_array(
         coo_array((spring * values, (rows, columns)), shape=stiffness.shape)
     )
+    force = load.copy()
+    np.add.at(force, held, spring * moves[:, None] * normals)
     factor = splu(csc_array(total))
-    found = factor.solve(load.ravel())
-    found += factor.solve(load.ravel() - total @ found)
+    found = factor.solve(force.ravel())
+    found += factor.solve(force.ravel() - total @ found)
     return np.asarray(found).reshape(-1, 2)
 
 
