@@ -49,8 +49,8 @@ Bending bend(double degrees, double h, int m, Enforcement form, ShapeFunction sh
   settings.enforcement = form;
   settings.bandwidth = 1e-6;
   settings.ghost_penalty = 0.01;
-  settings.relaxation = 0.0;        // as the reference was run
-  settings.update_volumes = false;  //
+  settings.relaxation = 0.0;  // as the reference was run, which keeps volumes too
+  settings.update_volumes = false;
   settings.supports.push_back(
       {"end", HeldMotion::fixed, {{}, false, numbers({c[1], c[2]}), {}}, {}});
   for (int axis = 0; axis < 2; ++axis) {

@@ -23,7 +23,7 @@ Pressed press(int steps, ShapeFunction shape, const QuasiStaticSettings& form) {
   Points points(2);
   fill_clipped(points, grid, Box{{0.0, 0.0}, {3.0, 3.0}}, 2);
   QuasiStaticSettings settings = form;
-  settings.update_volumes = false;  // as the paper and the reference
+  settings.update_volumes = false;  // its forces are compared with a reference that keeps them
   settings.supports = {{"left", HeldMotion::roller, {{}, false, {{0.0, 3.0}, {0.0, 0.0}}, {}}, {}},
                        {"right", HeldMotion::roller, {{}, false, {{3.0, 0.0}, {3.0, 3.0}}, {}}, {}},
                        {"base", HeldMotion::roller, {{}, false, {{0.0, 0.0}, {3.0, 0.0}}, {}}, {}},

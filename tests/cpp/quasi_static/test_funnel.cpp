@@ -36,8 +36,8 @@ Pushed push(double h, Enforcement form, double bandwidth) {
   settings.enforcement = form;
   settings.bandwidth = bandwidth;
   settings.ghost_penalty = 0.01;
-  settings.relaxation = 0.0;        // as the reference was run
-  settings.update_volumes = false;  //
+  settings.relaxation = 0.0;  // as the reference was run, which keeps volumes too
+  settings.update_volumes = false;
   Corners top;
   for (double x = 140.0; x > -0.5 * h; x -= h) {
     top.push_back({x, roof(x)});

@@ -14,6 +14,15 @@ Vec3 in_space(const Vec<Dim>& place) {
   return at;
 }
 
+template <int Dim>
+double total_area(const std::vector<Facet<Dim>>& facets) {
+  double sum = 0.0;
+  for (const Facet<Dim>& facet : facets) {
+    sum += facet.area();
+  }
+  return sum;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -80,14 +89,16 @@ std::vector<Facet<Dim>> Boundary<Dim>::cut_walls(const Grid<Dim>& grid, CellStat
 template <int Dim>
 std::vector<LoadedSurface<Dim>> Boundary<Dim>::cut_tractions(const Grid<Dim>& grid,
                                                              const CellState<Dim>& state) const {
-  // Surfaces of shapes may go on beyond a body: this far off it (cells) they still lie on it.
-  constexpr double slack = 1e-3;
+  // Surfaces of shapes may go on beyond a body, and end there. One that is not quite on the body,
+  // a circle on a polygon, still counts this far off it (cells).
+  constexpr double exact = 1e-9, slack = 1e-3, most = 0.9;
+  double off = exact;
   const auto on_a_body = [&](const Vec3& at) {
     double least = std::numeric_limits<double>::infinity();
     for (const Shape& body : bodies_) {
       least = std::min(least, lapilli::distance(body, at));
     }
-    return slack * grid.cell_size() - least;
+    return off * grid.cell_size() - least;
   };
   const std::vector<char> everywhere(grid.cell_count(), 1);
   const std::vector<char> near = cells_near_material(grid, state);
@@ -98,7 +109,13 @@ std::vector<LoadedSurface<Dim>> Boundary<Dim>::cut_tractions(const Grid<Dim>& gr
       facets = traction.cut(grid, everywhere, 0, 0.0, {});
       traction.require_whole(facets);
     } else if (!bodies_.empty()) {
+      off = exact;
       facets = traction.cut(grid, near, 0, 0.0, {}, on_a_body);
+      off = slack;
+      auto rough = traction.cut(grid, near, 0, 0.0, {}, on_a_body);
+      if (total_area(facets) < most * total_area(rough)) {
+        facets = std::move(rough);
+      }
     } else {
       CellState<Dim> moduli = state;
       facets = facets_at_material(grid, moduli, traction.cut(grid, near, 0, 0.0, {}), true);
@@ -133,6 +150,18 @@ std::vector<SurfaceForce<Dim>> Boundary<Dim>::surface_forces(
     }
   }
   return forces;
+}
+
+template <int Dim>
+bool Boundary<Dim>::is_held_across(const Vec<Dim>& place, double time, double cell_size) const {
+  constexpr double near = 0.02;  // cells
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const auto gap = walls_[w].gap(in_space<Dim>(place), time);
+    if (gap && std::abs(*gap) < near * cell_size && kinds_[w] != HeldMotion::tangent) {
+      return true;
+    }
+  }
+  return false;
 }
 
 template <int Dim>

@@ -34,6 +34,7 @@ class Boundary {
 
   std::size_t walls() const { return walls_.size(); }
   const MovingSurface<Dim>& wall(std::size_t w) const { return walls_[w]; }
+  const std::vector<Shape>& bodies() const { return bodies_; }
   std::span<const HeldMotion> kinds() const { return kinds_; }
   std::span<const std::string> names() const { return names_; }
 
@@ -49,6 +50,9 @@ class Boundary {
   /// The forces of the tractions at a time on these surfaces.
   std::vector<SurfaceForce<Dim>> surface_forces(const std::vector<LoadedSurface<Dim>>& surfaces,
                                                 double time) const;
+
+  /// Whether a wall stops the material across its face at a place on the surface of a body.
+  bool is_held_across(const Vec<Dim>& place, double time, double cell_size) const;
 
   /// The wall whose face is nearest to a place at time 0, in words.
   std::string nearest_wall(const Vec<Dim>& place) const;

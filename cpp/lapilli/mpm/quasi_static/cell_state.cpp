@@ -61,9 +61,15 @@ std::vector<char> cells_near_material(const Grid<Dim>& grid, const CellState<Dim
 }
 
 template <int Dim>
+Index inner_cell(const Grid<Dim>& grid, const Facet<Dim>& facet) {
+  constexpr double look_in = 0.75;  // cells
+  return grid.cell_index(
+      grid.cell_containing(facet.centre() + look_in * grid.cell_size() * facet.normal()));
+}
+
+template <int Dim>
 std::vector<Facet<Dim>> facets_at_material(const Grid<Dim>& grid, CellState<Dim>& state,
                                            std::vector<Facet<Dim>> facets, bool hold_empty_cells) {
-  constexpr double look_in = 0.75;  // cells
   std::erase_if(facets, [&](const Facet<Dim>& facet) {
     const Index cell = grid.cell_index(facet.cell);
     if (state.occupied[cell]) {
@@ -72,8 +78,7 @@ std::vector<Facet<Dim>> facets_at_material(const Grid<Dim>& grid, CellState<Dim>
     if (!hold_empty_cells) {
       return true;
     }
-    const Index inner = grid.cell_index(
-        grid.cell_containing(facet.centre() + look_in * grid.cell_size() * facet.normal()));
+    const Index inner = inner_cell(grid, facet);
     if (inner < 0 || inner >= grid.cell_count() || !state.occupied[inner]) {
       return true;
     }
@@ -118,6 +123,8 @@ template struct CellState<2>;
 template struct CellState<3>;
 template std::vector<char> cells_near_material(const Grid<2>&, const CellState<2>&);
 template std::vector<char> cells_near_material(const Grid<3>&, const CellState<3>&);
+template Index inner_cell(const Grid<2>&, const Facet<2>&);
+template Index inner_cell(const Grid<3>&, const Facet<3>&);
 template std::vector<Facet<2>> facets_at_material(const Grid<2>&, CellState<2>&,
                                                   std::vector<Facet<2>>, bool);
 template std::vector<Facet<3>> facets_at_material(const Grid<3>&, CellState<3>&,

@@ -29,6 +29,10 @@ struct CellState {
 template <int Dim>
 std::vector<char> cells_near_material(const Grid<Dim>& grid, const CellState<Dim>& state);
 
+/// The cell three quarters of a cell further in than a facet.
+template <int Dim>
+Index inner_cell(const Grid<Dim>& grid, const Facet<Dim>& facet);
+
 /// Keep the facets that hold material: in an occupied cell, or (`hold_empty_cells`) in an empty one
 /// with material three quarters of a cell further in, whose moduli it takes.
 template <int Dim>

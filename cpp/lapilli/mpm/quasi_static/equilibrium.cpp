@@ -73,10 +73,14 @@ void Equilibrium<Dim>::external_force() {
         const Vec<Dim>* gradient = weights_.gradient(p);
         const Vec<Dim>* mean = state_.mean.of_point(p);
         const double linear_pressure = load.dot(state_.mean.arm(p));
+        const double even_pressure =
+            mean != nullptr && loads_.hydrostatic
+                ? volume_[p] * loads_.hydrostatic->at(state_.mean.middle(p))
+                : 0.0;
         for_each_node(grid_, group.box, [&](int a, Index node) {
           Vec<Dim> on_node = value[a] * load;
           if (mean != nullptr) {
-            on_node += linear_pressure * (gradient[a] - mean[a]);
+            on_node += linear_pressure * (gradient[a] - mean[a]) - even_pressure * mean[a];
           }
           external_.segment<Dim>(Dim * system_.row(node)) += on_node;
         });
@@ -84,6 +88,9 @@ void Equilibrium<Dim>::external_force() {
     });
   }
   for (const SurfaceForce<Dim>& load : loads_.surface_forces) {
+    spread(load, [&](Index row, const Vec<Dim>& force) { external_.segment<Dim>(row) += force; });
+  }
+  for (const SurfaceForce<Dim>& load : loads_.skin_forces) {
     spread(load, [&](Index row, const Vec<Dim>& force) { external_.segment<Dim>(row) += force; });
   }
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "lapilli/algebra/direct_solver.hpp"
+#include "lapilli/mpm/quasi_static/hydrostatic.hpp"
 #include "lapilli/mpm/quasi_static/newton.hpp"
 #include "lapilli/mpm/quasi_static/support_terms.hpp"
 
@@ -21,6 +23,10 @@ struct SurfaceForce {
 template <int Dim>
 struct Loads {
   std::vector<Vec<Dim>> body_force;  // N/m^3, one a point; empty: none
+  /// Of points whose dilatation is averaged: the even part of the body force, as the pressure that
+  /// balances it. `body_force` holds the rest; `skin_forces` that pressure on free surfaces.
+  std::optional<HydrostaticPressure<Dim>> hydrostatic;
+  std::vector<SurfaceForce<Dim>> skin_forces;
   std::vector<SupportTerm<Dim>> walls;
   std::vector<SurfaceForce<Dim>> surface_forces;
   std::array<std::vector<CellBox<Dim>>, Dim> ghost_pairs;

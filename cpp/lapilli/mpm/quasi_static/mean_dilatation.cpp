@@ -41,6 +41,7 @@ void MeanDilatation<Dim>::build(const Grid<Dim>& grid, std::span<const double> p
   of_cell_.clear();
   middle_.clear();
   arm_.clear();
+  middle_of_point_.clear();
   if (std::none_of(body.begin(), body.end(), [&](Index one) { return averaged[one] != 0; })) {
     return;
   }
@@ -84,6 +85,7 @@ void MeanDilatation<Dim>::build(const Grid<Dim>& grid, std::span<const double> p
   }
   of_point_.assign(room, Vec<Dim>::Zero());
   arm_.assign(weights.size(), Vec<Dim>::Zero());
+  middle_of_point_ = arm_;
   for (Index p = 0; p < weights.size(); ++p) {
     if (start_[p] < 0) {
       continue;
@@ -91,6 +93,7 @@ void MeanDilatation<Dim>::build(const Grid<Dim>& grid, std::span<const double> p
     const CellBox<Dim>& box = weights.box(p);
     each_part(p, [&](Index cell, double share, const Vec<Dim>& middle) {
       arm_[p] += share * (middle - middle_[row_[cell]]);
+      middle_of_point_[p] += share * middle_[row_[cell]];
       const auto at = grid.cell_at(cell);
       for (Index a = 0; a < nodes; ++a) {
         Index node = 0, stride = 1;

@@ -25,9 +25,11 @@ class MeanDilatation {
   const Vec<Dim>* of_point(Index point) const {
     return start_.empty() || start_[point] < 0 ? nullptr : of_point_.data() + start_[point];
   }
-  /// From the middle of the material of its cell to a point, m; zero where nothing is averaged. A
-  /// body force b leaves the linear part b . arm of the pressure in the cell, which the mean does
-  /// not see.
+  /// Where the mean of an averaged point or cell is that of a linear function, m.
+  const Vec<Dim>& middle(Index point) const { return middle_of_point_[point]; }
+  const Vec<Dim>& middle_of_cell(Index cell) const { return middle_[row_[cell]]; }
+  /// From there to a point, m; zero where nothing is averaged. A body force b leaves the linear
+  /// part b . arm of the pressure in the cell, which the mean does not see.
   Vec<Dim> arm(Index point) const {
     return arm_.empty() ? Vec<Dim>(Vec<Dim>::Zero()) : arm_[point];
   }
@@ -48,7 +50,7 @@ class MeanDilatation {
   std::vector<Index> row_;  // of every cell, -1: nothing averaged
   std::vector<Vec<Dim>> of_cell_;
   std::vector<Vec<Dim>> middle_;  // of the averaged material of each such cell
-  std::vector<Vec<Dim>> arm_;     // of every point
+  std::vector<Vec<Dim>> arm_, middle_of_point_;
 };
 
 }  // namespace lapilli

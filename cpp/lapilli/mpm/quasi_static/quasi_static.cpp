@@ -101,6 +101,9 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(double from, double
   for (LoadedSurface<Dim>& surface : reference_.loaded) {
     surface.follow(grid_, system_, reference_.moved);
   }
+  if (reference_.skin) {
+    reference_.skin->follow(grid_, system_, reference_.moved);
+  }
   return report;
 }
 

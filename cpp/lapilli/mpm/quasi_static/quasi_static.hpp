@@ -40,7 +40,8 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   /// penetration, force of each wall on the material.
   std::vector<std::pair<std::string, double>> diagnostics() const override;
 
-  /// Strains beyond what the law for small strains carries.
+  /// Strains beyond what the law for small strains carries, cells too coarse for the stresses,
+  /// points that have crossed cells with linear shape functions.
   std::vector<std::string> warnings() const override;
 
   /// Force of each wall on the material in the last load step, N (per metre thickness in 2D).
@@ -63,13 +64,19 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   bool is_reset_due() const;
   void reset_grid(double time);
   Loads<Dim> collect_loads(double to) const;
+  void split_body_force(Loads<Dim>& loads) const;
+  double cell_mean_share(const Facet<Dim>& facet, Index& cell) const;
   void add_hydrostatic(double to, Loads<Dim>& loads) const;
+  void find_skin();
   Equilibrium<Dim> equilibrium_under(const Loads<Dim>& loads);
   Report attempt(double from, double to);
   Report try_step(double from, double to);
   void undo_reset(const Archive& before);
   /// Largest principal strain of any point since the start, of either sign.
   double largest_strain() const;
+  /// Energy of what smoothing over the nodes changes in the stress, over its own.
+  double roughness() const;
+  double farthest_moved() const;
   Eigen::VectorXd solve(const Equilibrium<Dim>& equilibrium, Report& report) const;
   std::vector<Vec<Dim>> moves_of(const Equilibrium<Dim>& equilibrium,
                                  const Eigen::VectorXd& u) const;

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <limits>
+
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
 #include "lapilli/mpm/quasi_static/supports.hpp"
@@ -22,7 +25,6 @@ Loads<Dim> QuasiStatic<Dim>::collect_loads(double to) const {
     loads.ghost_pairs = ghost_pairs<Dim>(grid_, *reference_.state, reference_.facets);
   }
   if (!settings_.body_force.empty()) {
-    add_hydrostatic(to, loads);
     std::vector<Vec3> places(points_.size(), Vec3::Zero());
     for (Index p = 0; p < points_.size(); ++p) {
       places[p].template head<Dim>() = points_.position<Dim>(p);
@@ -31,9 +33,79 @@ Loads<Dim> QuasiStatic<Dim>::collect_loads(double to) const {
     for (Index p = 0; p < points_.size(); ++p) {
       loads.body_force[p] *= start_volume_[p] / reference_.volume[p];
     }
+    if (reference_.skin) {
+      split_body_force(loads);
+    }
+    add_hydrostatic(to, loads);
   }
   loads.surface_forces = boundary_.surface_forces(reference_.loaded, to);
   return loads;
+}
+
+/// Nearly incompressible bodies hardly move under the even part of a body force where they are
+/// confined: what balances it is a pressure, and errors of its integration over cut cells would
+/// move them by thousands of times as much. By the divergence theorem it acts as that pressure on
+/// the free surface and the means of cells, which they hold exactly.
+template <int Dim>
+void QuasiStatic<Dim>::split_body_force(Loads<Dim>& loads) const {
+  const auto is_averaged = [&](Index p) { return reference_.state->mean.of_point(p) != nullptr; };
+  double volume = 0.0;
+  Vec<Dim> force = Vec<Dim>::Zero();
+  for (Index p = 0; p < points_.size(); ++p) {
+    if (is_averaged(p)) {
+      volume += reference_.volume[p];
+      force += reference_.volume[p] * loads.body_force[p];
+    }
+  }
+  HydrostaticPressure<Dim> pressure{force / volume, 0.0};
+  std::vector<LoadedPoint<Dim>> open;
+  for (const LoadedPoint<Dim>& point : reference_.skin->points()) {
+    if (!boundary_.is_held_across(point.position, reference_.time, grid_.cell_size())) {
+      open.push_back(point);
+    }
+  }
+  // Zero at the highest free place.
+  const auto& all = open.empty() ? reference_.skin->points() : open;
+  pressure.level = std::numeric_limits<double>::infinity();
+  for (const LoadedPoint<Dim>& point : all) {
+    pressure.level = std::min(pressure.level, pressure.rise.dot(point.position));
+  }
+  Vec<Dim> arrived = Vec<Dim>::Zero();
+  for (const LoadedPoint<Dim>& point : open) {
+    loads.skin_forces.push_back(
+        {point.cell, point.position, Vec<Dim>(-pressure.at(point.position) * point.area)});
+    arrived += loads.skin_forces.back().force;
+  }
+  for (const Facet<Dim>& facet : reference_.facets) {
+    Index cell = 0;
+    if (cell_mean_share(facet, cell) >= 0.0) {
+      for (const SurfacePoint<Dim>& point : facet.points) {
+        arrived -= pressure.at(point.position) * point.weight * point.normal;
+      }
+    }
+  }
+  loads.hydrostatic = pressure;
+  // What surfaces that do not close leave of the weight stays with the points.
+  const Vec<Dim> even = pressure.rise - (force - arrived) / volume;
+  for (Index p = 0; p < points_.size(); ++p) {
+    loads.body_force[p] -= is_averaged(p) ? even : Vec<Dim>(Vec<Dim>::Zero());
+  }
+}
+
+/// Share of the mean pressure of `cell` that the traction of a facet carries by itself; negative
+/// for a facet that holds nothing averaged across its face.
+template <int Dim>
+double QuasiStatic<Dim>::cell_mean_share(const Facet<Dim>& facet, Index& cell) const {
+  cell = grid_.cell_index(facet.cell);
+  const bool occupied = reference_.state->occupied[cell];
+  if (!occupied) {
+    cell = inner_cell(grid_, facet);
+  }
+  if (boundary_.kinds()[facet.surface] == HeldMotion::tangent ||
+      reference_.state->mean.of_cell(cell) == nullptr) {
+    return -1.0;
+  }
+  return occupied ? reference_.scheme.consistency : 0.0;
 }
 
 /// The pressure of a nearly incompressible cell rises linearly under a body force, which its mean
@@ -42,11 +114,12 @@ template <int Dim>
 void QuasiStatic<Dim>::add_hydrostatic(double to, Loads<Dim>& loads) const {
   for (std::size_t f = 0; f < reference_.facets.size(); ++f) {
     const Facet<Dim>& facet = reference_.facets[f];
-    const Index cell = grid_.cell_index(facet.cell);
-    if (reference_.state->mean.of_cell(cell) == nullptr || !reference_.state->occupied[cell] ||
-        boundary_.kinds()[facet.surface] == HeldMotion::tangent) {
+    Index cell = 0;
+    const double share = cell_mean_share(facet, cell);
+    if (share < 0.0) {
       continue;
     }
+    const Vec<Dim>& middle = reference_.state->mean.middle_of_cell(cell);
     std::vector<Vec3> places(facet.points.size(), Vec3::Zero());
     for (std::size_t q = 0; q < facet.points.size(); ++q) {
       places[q].template head<Dim>() = facet.points[q].position;
@@ -54,8 +127,18 @@ void QuasiStatic<Dim>::add_hydrostatic(double to, Loads<Dim>& loads) const {
     const std::vector<Vec<Dim>> force = values_at<Dim>(settings_.body_force, places, to);
     for (std::size_t q = 0; q < facet.points.size(); ++q) {
       const SurfacePoint<Dim>& point = facet.points[q];
-      const double pressure = force[q].dot(reference_.state->mean.arm(cell, point.position));
-      loads.walls[f].push(grid_, point, Vec<Dim>(point.weight * pressure * point.normal));
+      const Vec<Dim> area = point.weight * point.normal;
+      const Vec<Dim> even =
+          loads.hydrostatic ? loads.hydrostatic->rise : Vec<Dim>(Vec<Dim>::Zero());
+      const double rest = share * (force[q] - even).dot(point.position - middle);
+      double on_nodes = rest, on_wall = rest;
+      if (loads.hydrostatic) {
+        const double mean = share * loads.hydrostatic->at(middle);
+        on_nodes -= mean;
+        on_wall += loads.hydrostatic->at(point.position) - mean;
+      }
+      loads.walls[f].push(grid_, point, Vec<Dim>(on_nodes * area));
+      loads.walls[f].given += on_wall * area;
     }
   }
 }
@@ -72,9 +155,11 @@ void QuasiStatic<Dim>::require_loads_arrive(const Equilibrium<Dim>& equilibrium)
   }
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                              \
-  template Loads<Dim> QuasiStatic<Dim>::collect_loads(double) const;          \
-  template void QuasiStatic<Dim>::add_hydrostatic(double, Loads<Dim>&) const; \
+#define LAPILLI_INSTANTIATE(Dim)                                                      \
+  template Loads<Dim> QuasiStatic<Dim>::collect_loads(double) const;                  \
+  template void QuasiStatic<Dim>::split_body_force(Loads<Dim>&) const;                \
+  template double QuasiStatic<Dim>::cell_mean_share(const Facet<Dim>&, Index&) const; \
+  template void QuasiStatic<Dim>::add_hydrostatic(double, Loads<Dim>&) const;         \
   template void QuasiStatic<Dim>::require_loads_arrive(const Equilibrium<Dim>&) const;
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)

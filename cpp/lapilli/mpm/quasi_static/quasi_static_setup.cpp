@@ -45,6 +45,7 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
     start_half_widths();
   }
   boundary_.guard(grid_, points_, 0.0, guarded_.values());
+  find_skin();
   try {
     reset_grid(0.0);
   } catch (const RunError& error) {
@@ -75,6 +76,19 @@ void QuasiStatic<Dim>::choose_schemes() {
 }
 
 template <int Dim>
+void QuasiStatic<Dim>::find_skin() {
+  const auto is_set = [](char one) { return one != 0; };
+  if (settings_.body_force.empty() || std::none_of(averaged_.begin(), averaged_.end(), is_set)) {
+    return;
+  }
+  std::vector<double> volume(averaged_.size(), 0.0);
+  for (Index p = 0; p < points_.size(); ++p) {
+    volume[points_.body()[p]] += std::as_const(points_).volume()[p];
+  }
+  reference_.skin = skin_of<Dim>(grid_, boundary_.bodies(), averaged_, volume);
+}
+
+template <int Dim>
 void QuasiStatic<Dim>::start_half_widths() {
   half_width_ = std::make_unique<PointArray>(points_, Dim);
   const double h = grid_.cell_size();
@@ -90,6 +104,7 @@ void QuasiStatic<Dim>::start_half_widths() {
                                          std::vector<LinearElastic>, QuasiStaticSettings, \
                                          std::vector<Shape>);                             \
   template void QuasiStatic<Dim>::choose_schemes();                                       \
+  template void QuasiStatic<Dim>::find_skin();                                            \
   template void QuasiStatic<Dim>::start_half_widths();
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)

@@ -32,6 +32,9 @@ void Reference<Dim>::start(const Points& points, const PointArray* now, double a
   for (LoadedSurface<Dim>& surface : loaded) {
     surface.reset();
   }
+  if (skin) {
+    skin->reset();
+  }
   if (half_width) {
     std::copy_n(now->data(), now->values().size(), half_width->data());
   }
@@ -59,7 +62,21 @@ void Reference<Dim>::locate(const Grid<Dim>& grid, const Points& points,
   for (LoadedSurface<Dim>& surface : loaded) {
     surface.find_cells(grid, *state);
   }
+  find_skin(grid);
   located = true;
+}
+
+/// Without a cell for every place of it the skin is no use.
+template <int Dim>
+void Reference<Dim>::find_skin(const Grid<Dim>& grid) {
+  if (!skin) {
+    return;
+  }
+  try {
+    skin->find_cells(grid, *state);
+  } catch (const RunError&) {
+    skin.reset();
+  }
 }
 
 template <int Dim>
@@ -88,6 +105,10 @@ void Reference<Dim>::save(Archive& archive) const {
   for (std::size_t t = 0; t < loaded.size(); ++t) {
     loaded[t].save(archive, message("quasi_static/reference/traction ", t));
   }
+  archive.write("quasi_static/reference/has_skin", skin ? 1.0 : 0.0);
+  if (skin) {
+    skin->save(archive, "quasi_static/reference/skin");
+  }
   std::vector<double> forces;
   for (const Vec<Dim>& force : support_forces) {
     forces.insert(forces.end(), force.data(), force.data() + Dim);
@@ -110,6 +131,12 @@ void Reference<Dim>::load(const Archive& archive) {
   archive.read("quasi_static/reference/volume", volume.values());
   for (std::size_t t = 0; t < loaded.size(); ++t) {
     loaded[t].load(archive, message("quasi_static/reference/traction ", t));
+  }
+  if (archive.read_number("quasi_static/reference/has_skin") > 0.0) {
+    skin.emplace("the surface of the bodies");
+    skin->load(archive, "quasi_static/reference/skin");
+  } else {
+    skin.reset();
   }
   const std::vector<double> forces = archive.read_numbers("quasi_static/reference/support_forces");
   support_forces.resize(forces.size() / Dim);

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "lapilli/core/points.hpp"
 #include "lapilli/mpm/quasi_static/boundary.hpp"
 #include "lapilli/mpm/quasi_static/cell_state.hpp"
+#include "lapilli/mpm/quasi_static/hydrostatic.hpp"
 #include "lapilli/mpm/quasi_static/support_terms.hpp"
 
 namespace lapilli {
@@ -32,6 +34,8 @@ struct Reference {
   /// Everything but what `locate` finds.
   void load(const Archive& archive);
 
+  void find_skin(const Grid<Dim>& grid);
+
   double time = 0.0;
   PointArray position;                     // m, rows x Dim
   PointArray volume;                       // m^Dim
@@ -40,6 +44,7 @@ struct Reference {
   std::unique_ptr<CellState<Dim>> state;
   std::vector<Facet<Dim>> facets;          // of the walls
   std::vector<LoadedSurface<Dim>> loaded;  // by traction
+  std::optional<LoadedSurface<Dim>> skin;  // of nearly incompressible bodies under a body force
   SupportScheme scheme;                    // tightened when the matrix was not positive definite
   Eigen::VectorXd moved;                   // m, of the unknowns since then; empty: nothing
   Eigen::VectorXd imbalance;               // N, of the unknowns then; empty: none

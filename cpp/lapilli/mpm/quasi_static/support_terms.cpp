@@ -179,7 +179,6 @@ void SupportTerm<Dim>::push(const Grid<Dim>& grid, const SurfacePoint<Dim>& poin
   for (int a = 0; a < nodes; ++a) {
     force.template segment<Dim>(a * Dim) += value[a] * by;
   }
-  given += by;
 }
 
 template <int Dim>

@@ -33,7 +33,7 @@ struct SupportTerm {
   Eigen::Matrix<double, Dim, nodes * Dim> reaction;
   Vec<Dim> given;
 
-  /// Add a known force of the wall on the material at a point of its facet, N.
+  /// Add a known force to what the nodes get at a point of the facet, N.
   void push(const Grid<Dim>& grid, const SurfacePoint<Dim>& point, const Vec<Dim>& by);
 };
 

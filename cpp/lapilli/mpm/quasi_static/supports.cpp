@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <map>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 #include "lapilli/core/require.hpp"
@@ -73,6 +74,7 @@ struct Part {
   Eigen::Matrix<double, rigid_motions<Dim>, rigid_motions<Dim>> held =
       Eigen::Matrix<double, rigid_motions<Dim>, rigid_motions<Dim>>::Zero();
   double area = 0.0;
+  std::set<Index> bodies;
 
   Vec<Dim> middle() const { return moment / volume; }
   double size() const { return (high - low).norm(); }
@@ -131,6 +133,7 @@ void require_held(const Grid<Dim>& grid, const Points& points, const PointWeight
     for (Index k = group.begin; k < group.end; ++k) {
       const Index p = weights.order()[k];
       const Vec<Dim> position = points.position<Dim>(p);
+      part.bodies.insert(points.body()[p]);
       part.volume += points.volume()[p];
       part.moment += points.volume()[p] * position;
       part.low = part.low.cwiseMin(position);
@@ -175,7 +178,11 @@ void require_held(const Grid<Dim>& grid, const Points& points, const PointWeight
       }
     }
     if (!free.empty()) {
-      throw RunError(message("the material around ", text<Dim>(part.middle()),
+      std::string bodies;
+      for (const Index body : part.bodies) {
+        bodies += message(bodies.empty() ? "" : " and ", body);
+      }
+      throw RunError(message("body ", bodies, ": the material around ", text<Dim>(part.middle()),
                              " m is held by nothing against ", free,
                              ": add a wall that stops it, or remove this part"));
     }
