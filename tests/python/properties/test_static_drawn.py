@@ -114,7 +114,7 @@ class Sides:
 
     def hold(self, side: str, kind: str = "fixed") -> None:
         wall = lp.Support(name=side, kind=kind, **self.surface[side])  # type: ignore[arg-type]
-        self.settings.walls = [*self.settings.walls, wall]
+        self.settings.supports = [*self.settings.supports, wall]
         key = "fixed" if kind == "fixed" else "rollers"
         self.given[key] = (*self.given.get(key, ()), side)  # type: ignore[misc]
 
@@ -416,8 +416,8 @@ def draw_moved_end(frame: Frame) -> Drawn:
     )
     sides.hold("left")
     move = 1e-4 * frame.size * frame.any_direction()
-    sides.settings.walls = [
-        *sides.settings.walls,
+    sides.settings.supports = [
+        *sides.settings.supports,
         lp.Support(
             name="right",
             kind="fixed",
@@ -441,7 +441,7 @@ def draw_column(frame: Frame) -> Drawn:
     corners = frame.at([[0, 0], [1, 0], [1, height], [0, height]])
     weight = 1e-5 * frame.elastic.shear / frame.size
     settings = lp.QuasiStatic(
-        walls=[
+        supports=[
             lp.Support(name=name, kind="roller", line=rows(corners[[i, j]]))
             for name, i, j in (("left", 3, 0), ("base", 0, 1), ("right", 1, 2))
         ],
@@ -511,7 +511,7 @@ def outcome_of(drawn: Drawn) -> Outcome:
     weight = np.zeros(2)
     if len(settings.body_force):
         weight = volume.sum() * np.array([float(x) for x in settings.body_force])  # type: ignore[arg-type]
-    forces = forces_of(result, settings.walls, 2)
+    forces = forces_of(result, settings.supports, 2)
     load = drawn.load + weight
     scale = max(np.linalg.norm(load), np.linalg.norm(forces, axis=1).max())
     imbalance = float(np.linalg.norm(forces.sum(axis=0) + load) / scale)
