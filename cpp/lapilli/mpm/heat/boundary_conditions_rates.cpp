@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/ambient_over_step.hpp"
 #include "lapilli/mpm/heat/boundary_conditions.hpp"
 
 namespace lapilli {
@@ -33,17 +34,12 @@ template <int Dim>
 void BoundaryConditions<Dim>::fill_ambient(const Value& coefficient, const Value& ambient,
                                            int power, const Nodes& nodes,
                                            std::vector<double>& values) const {
-  if (ambient.is_function() || ambient.is_constant()) {
+  if (ambient.is_function()) {
     fill(ambient, nodes, values);
     return;
   }
-  const double share = coefficient.is_function() ? 1.0 : coefficient.mean(begin_, end_);
-  const double mean = mean_of_product({&coefficient, &ambient}, begin_, end_, [&](double time) {
-    const double factor = coefficient.is_function() ? 1.0 : coefficient.at(time);
-    return factor * std::pow(ambient.at(time) - zero_, power);
-  });
-  const double absolute = share > 0.0 ? mean / share : 0.0;
-  std::fill(values.begin(), values.end(), zero_ + std::pow(std::max(absolute, 0.0), 1.0 / power));
+  std::fill(values.begin(), values.end(),
+            ambient_over(coefficient, ambient, power, zero_, begin_, end_));
 }
 
 template <int Dim>

@@ -31,19 +31,42 @@ class CellOperators {
     }
     for (int which = 0; which < cubes; ++which) {
       const auto points = gauss_points(cube_of<Dim>(grid, layout, node, which));
-      integrate(node, points);
+      integrate(node, points, true);
       full_volumes_.push_back(volumes);
       full_conduction_.push_back(conduction);
     }
+    whole_volumes_.setZero();
+    whole_conduction_.setZero();
+    for (int which = 0; which < cubes; ++which) {
+      whole_volumes_ += full_volumes_[which];
+      whole_conduction_ += full_conduction_[which];
+    }
   }
 
-  /// Integrate over one cell; what it adds is in `volumes` and `conduction`.
-  void integrate(const CellCut<Dim>& cell) {
-    integrate(cell.node, cell.points);
+  /// Whether a cell lies inside as a whole.
+  bool is_whole(const CellCut<Dim>& cell) const {
+    return cell.full == (1U << full_volumes_.size()) - 1;
+  }
+  /// What a whole cell adds.
+  const Volumes& whole_volumes() const { return whole_volumes_; }
+  const Conduction& whole_conduction() const { return whole_conduction_; }
+
+  /// Integrate over one cell; what it adds is in `volumes` and, where asked for, `conduction`.
+  void integrate(const CellCut<Dim>& cell, bool with_conduction = true) {
+    if (is_whole(cell)) {
+      volumes = whole_volumes_;
+      if (with_conduction) {
+        conduction = whole_conduction_;
+      }
+      return;
+    }
+    integrate(cell.node, cell.points, with_conduction);
     for (std::size_t which = 0; which < full_volumes_.size(); ++which) {
       if ((cell.full >> which) & 1U) {
         volumes += full_volumes_[which];
-        conduction += full_conduction_[which];
+        if (with_conduction) {
+          conduction += full_conduction_[which];
+        }
       }
     }
   }
@@ -89,38 +112,56 @@ class CellOperators {
   }
 
   void integrate(const typename Grid<Dim>::Cell& node,
-                 const std::vector<QuadraturePoint<Dim>>& points) {
+                 const std::vector<QuadraturePoint<Dim>>& points, bool with_conduction) {
     volumes.setZero();
-    conduction.setZero();
+    if (with_conduction) {
+      conduction.setZero();
+    }
     if (points.empty()) {
       return;
     }
     const auto first = first_node(node);
-    slopes_.resize(static_cast<Eigen::Index>(points.size()) * Dim, nodes);
+    slopes_.resize(static_cast<Eigen::Index>(with_conduction ? points.size() : 0) * Dim, nodes);
     Eigen::Index row = 0;
     for (const QuadraturePoint<Dim>& point : points) {
-      double value[Dim][support], slope[Dim][support];
+      Values values, slopes;
       for (int axis = 0; axis < Dim; ++axis) {
         const double at = (point.position[axis] - grid_.origin()[axis]) * grid_.inverse_cell_size();
-        shape_.evaluate(at, first[axis], value[axis], slope[axis]);
+        shape_.evaluate(at, first[axis], values[axis].data(), slopes[axis].data());
       }
-      const double weight = std::sqrt(point.weight);
-      for (int local = 0; local < nodes; ++local) {
-        const auto step = steps(local);
-        double product = 1.0;
-        Vec<Dim> gradient = Vec<Dim>::Constant(grid_.inverse_cell_size());
-        for (int axis = 0; axis < Dim; ++axis) {
-          product *= value[axis][step[axis]];
-          for (int other = 0; other < Dim; ++other) {
-            gradient[other] *= other == axis ? slope[axis][step[axis]] : value[axis][step[axis]];
-          }
-        }
-        volumes[local] += point.weight * product;
-        slopes_.template block<Dim, 1>(row, local) = weight * (root_ * gradient);
+      volumes += point.weight * product(values);
+      if (with_conduction) {
+        add_slopes(values, slopes, std::sqrt(point.weight) * grid_.inverse_cell_size(), row);
+        row += Dim;
       }
-      row += Dim;
     }
-    conduction.noalias() = slopes_.transpose() * slopes_;
+    if (with_conduction) {
+      conduction.noalias() = slopes_.transpose() * slopes_;
+    }
+  }
+
+  using Values = std::array<std::array<double, support>, Dim>;
+
+  static Volumes product(const Values& values) {
+    Volumes all;
+    for (int local = 0; local < nodes; ++local) {
+      double one = 1.0;
+      for (int axis = 0, rest = local; axis < Dim; ++axis, rest /= support) {
+        one *= values[axis][rest % support];
+      }
+      all[local] = one;
+    }
+    return all;
+  }
+
+  void add_slopes(const Values& values, const Values& slopes, double factor, Eigen::Index row) {
+    Eigen::Matrix<double, Dim, nodes> gradient;
+    for (int axis = 0; axis < Dim; ++axis) {
+      Values along = values;
+      along[axis] = slopes[axis];
+      gradient.row(axis) = factor * product(along).transpose();
+    }
+    slopes_.template middleRows<Dim>(row) = root_ * gradient;
   }
 
   const Grid<Dim>& grid_;
@@ -128,6 +169,8 @@ class CellOperators {
   Mat<Dim> root_;
   std::vector<Volumes> full_volumes_;
   std::vector<Conduction> full_conduction_;
+  Volumes whole_volumes_;
+  Conduction whole_conduction_;
   Eigen::Matrix<double, Eigen::Dynamic, nodes> slopes_;
 };
 

@@ -4,17 +4,10 @@
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
-#include "lapilli/core/value_over_step.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
 #include "lapilli/mpm/transfer/cell_order.hpp"
 
 namespace lapilli {
-namespace {
-
-// Unknowns near the surface from which a factor takes longer than iterating.
-constexpr std::size_t direct_limit = 60'000;
-
-}  // namespace
 
 template <int Dim>
 bool CutCellHeat<Dim>::suits(const HeatProblem<Dim>& problem) {
@@ -69,19 +62,22 @@ CutCellHeat<Dim>::CutCellHeat(Points& points, HeatProblem<Dim> problem)
     if (is_implicit()) {
       number_all_leaders(one);
     }
-    one.surface = SurfaceTerm(laws_, std::move(one.part.surface));
     solved_.push_back(std::move(one));
   }
-  bound_step();
+  std::vector<double> rates;
+  for (Solved& one : solved_) {
+    rates.push_back(fastest_rate(one.part));
+    one.range = NodalRange<Dim>(problem_, one.part);
+    one.range.include(one.part.temperature, range_);
+  }
+  connect_surface(rates);
+  bound_step(rates);
   initial_ = balances().front().stored;
 }
 
 template <int Dim>
-void CutCellHeat<Dim>::bound_step() {
-  double fastest = 0.0;
-  for (const Solved& one : solved_) {
-    fastest = std::max(fastest, fastest_rate(one.part));
-  }
+void CutCellHeat<Dim>::bound_step(const std::vector<double>& rates) {
+  const double fastest = *std::max_element(rates.begin(), rates.end());
   const double hard = fastest > 0.0 ? 2.0 / fastest : limit_.hard;
   if (fastest > 0.0) {
     laws_.take_hold_over(0.6 * hard);
@@ -97,12 +93,14 @@ void CutCellHeat<Dim>::bound_step() {
 
 template <int Dim>
 StepLimit CutCellHeat<Dim>::step_limit() const {
-  // What has just begun goes as the root of the time: steps grow with the time since.
+  // What has just begun goes as the root of the time: steps grow with the time since, by powers of
+  // two, so that factors of the surface serve many.
   constexpr double smallest = 1.0 / 16.0, growth = 0.25;
   StepLimit limit = limit_;
   const double since = time_ - laws_.last_jump(time_);
   if (!is_implicit() && !laws_.empty() && std::isfinite(limit.automatic)) {
-    limit.automatic *= std::clamp(growth * since / limit_.automatic, smallest, 1.0);
+    const double share = std::clamp(growth * since / limit_.automatic, smallest, 1.0);
+    limit.automatic *= std::exp2(std::floor(std::log2(share) + 1e-9));
   }
   return limit;
 }
@@ -127,7 +125,7 @@ StepReport CutCellHeat<Dim>::advance(const Step& step) {
       report.residual = std::max(report.residual, part.residual);
       continue;
     }
-    conduct(one, step.size);
+    conduct(one, step);
     release_sources(one, step);
     exchange_with_surroundings(one, step);
     finish(one);
@@ -140,17 +138,20 @@ StepReport CutCellHeat<Dim>::advance(const Step& step) {
 }
 
 template <int Dim>
-void CutCellHeat<Dim>::conduct(Solved& one, double step) const {
+void CutCellHeat<Dim>::conduct(Solved& one, const Step& step) {
   const double* inverse = one.inverse.data();
+  const double* temperature = one.part.temperature.data();
   double* increment = one.increment.data();
   // Followers receive heat instead of a rise, and hand it on.
-  one.part.conduction->multiply(one.part.temperature.data(),
-                                [=](Index place, int count, const auto& product) {
-                                  for (int k = 0; k < count; ++k) {
-                                    increment[place + k] = -step * inverse[place + k] * product[k];
-                                  }
-                                });
+  one.part.conduction->multiply(temperature, [=](Index place, const auto& product) {
+    for (std::size_t k = 0; k < product.size(); ++k) {
+      increment[place + k] = -step.size * inverse[place + k] * product[k];
+    }
+  });
+  std::vector<double> heat(laws_.size(), 0.0);  // J
+  exchange_weakly(one, step, heat);
   one.part.followers.hand_on(one.increment, one.inverse);
+  centre_weak_exchange(one, step.size, heat);
 }
 
 template <int Dim>
@@ -162,7 +163,7 @@ double CutCellHeat<Dim>::source_heat(const Solved& one, std::span<const double> 
     for (const Index place : own.place) {
       state.push_back(temperature[place]);
     }
-    evaluate_over(problem_.bodies[own.body].source, own.position, state, begin, begin + size, rate);
+    problem_.bodies[own.body].source.evaluate_mean(own.position, state, begin, begin + size, rate);
     for (std::size_t k = 0; k < rate.size(); ++k) {
       heat[own.place[k]] += size * rate[k] * own.volume[k];
       sum += size * rate[k] * own.volume[k];
@@ -210,85 +211,19 @@ void CutCellHeat<Dim>::release_sources(Solved& one, const Step& step) {
 }
 
 template <int Dim>
-void CutCellHeat<Dim>::exchange_with_surroundings(Solved& one, const Step& step) {
-  if (one.surface.empty() || one.unknown_place.empty()) {
-    return;
-  }
-  one.surface.evaluate(laws_, gather(one, one.part.temperature), step.time, step.time + step.size);
-  const SurfaceTerm::Vector before = gather(one, one.increment);
-  const SurfaceTerm::Vector capacity = gather(one, one.part.capacity);
-  SurfaceTerm::Vector rise;
-  if (one.surface.has_slopes()) {
-    prepare(one, 0.0);
-    rise = one.solver.solve(one.surface, step.size,
-                            capacity.cwiseProduct(before) + step.size * one.surface.force());
-  } else {
-    rise = before + step.size * one.surface.force().cwiseQuotient(capacity);
-  }
-  for (std::size_t k = 0; k < one.unknown_place.size(); ++k) {
-    one.increment[one.unknown_place[k]] = rise[static_cast<Eigen::Index>(k)];
-  }
-  book_laws(one, step.size, rise, capacity.dot(rise - before));
-}
-
-template <int Dim>
-void CutCellHeat<Dim>::book_laws(const Solved& one, double size, const SurfaceTerm::Vector& rise,
-                                 double given) {
-  // Each law gave what it says; what rounding and the solver leave goes to the largest.
-  std::size_t largest = 0;
-  std::vector<double> heat(laws_.size());
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    heat[law] = size * one.surface.heat(law, rise);
-    given -= heat[law];
-    largest = std::abs(heat[law]) > std::abs(heat[largest]) ? law : largest;
-  }
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    laws_.book(law, law == largest ? heat[law] + given : heat[law]);
-  }
-}
-
-template <int Dim>
 void CutCellHeat<Dim>::finish(Solved& one) const {
   double* temperature = one.part.temperature.data();
   const double* increment = one.increment.data();
   parallel_for(
       static_cast<Index>(one.increment.size()),
       [=](Index place) { temperature[place] += increment[place]; }, Work::light);
-  one.part.followers.prolong(one.part.temperature);
+  keep_in_range(one);
 }
 
 template <int Dim>
-void CutCellHeat<Dim>::prepare(Solved& one, double scale) const {
-  if (one.solver.has_base(scale)) {
-    return;
-  }
-  const SurfaceTerm::Vector capacity = gather(one, one.part.capacity);
-  SurfaceTerm::Matrix base(capacity.size(), capacity.size());
-  base = scale > 0.0 ? SurfaceTerm::Matrix(scale * one.conduction) : base;
-  std::vector<Eigen::Triplet<double>> diagonal;
-  for (Eigen::Index k = 0; k < capacity.size(); ++k) {
-    diagonal.emplace_back(static_cast<int>(k), static_cast<int>(k), capacity[k]);
-  }
-  SurfaceTerm::Matrix stored(capacity.size(), capacity.size());
-  stored.setFromTriplets(diagonal.begin(), diagonal.end());
-  base += stored;
-  const HeatSolver choice = problem_.settings.solver;
-  const std::size_t limit = !is_implicit() ? direct_limit
-                            : Dim == 3     ? std::size_t{30'000}
-                                           : std::size_t{400'000};
-  // Near a surface in space a factor fills up; without a prescribed temperature a few rounds of
-  // conjugate gradients do.
-  bool holds = false;
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    holds = holds || laws_.holds_temperature(law);
-  }
-  const bool few_rounds = Dim == 3 && !is_implicit() && !holds && one.unknown_place.size() > 2000;
-  const bool direct =
-      choice == HeatSolver::direct ||
-      (choice == HeatSolver::automatic && !few_rounds && one.unknown_place.size() <= limit);
-  one.solver.set_base(
-      std::move(base), scale,
-      direct ? SurfaceSolver::Method::direct : SurfaceSolver::Method::conjugate_gradient);
+void CutCellHeat<Dim>::keep_in_range(Solved& one) const {
+  one.range.restore(one.part, range_, one.part.temperature);
+  one.part.followers.prolong(one.part.temperature);
 }
 
 template class CutCellHeat<1>;

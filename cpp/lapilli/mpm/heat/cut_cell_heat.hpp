@@ -3,8 +3,10 @@
 #include <memory>
 
 #include "lapilli/mpm/heat/heat_part.hpp"
+#include "lapilli/mpm/heat/nodal_range.hpp"
 #include "lapilli/mpm/heat/point_fields.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
+#include "lapilli/mpm/heat/weak_exchange.hpp"
 #include "lapilli/mpm/surface/surface_view.hpp"
 
 namespace lapilli {
@@ -38,24 +40,33 @@ class CutCellHeat final : public Physics, public HasSurface {
   /// A part with what its steps need.
   struct Solved {
     HeatPart<Dim> part;
-    SurfaceTerm surface;
+    std::vector<WeakExchange> weak;     // laws that stand in the conduction
+    SurfaceTerm surface;                // the others
+    std::vector<double> exchange_rate;  // of the others' slopes, by law, per W/(m^2 K), 1/s
     SurfaceSolver solver;
     std::vector<Index> unknown_place;  // of the solver: near the surface, or all where implicit
     std::vector<double> inverse;       // 1/C', one for followers
     std::vector<double> increment;     // K
-    SurfaceTerm::Matrix conduction;    // K' of the unknowns, implicit steps only
+    NodalRange<Dim> range;
+    SurfaceTerm::Matrix conduction;  // K' of the unknowns, implicit steps only
   };
 
-  void bound_step();
+  void bound_step(const std::vector<double>& rates);
+  void connect_surface(std::vector<double>& rates);
   bool is_implicit() const {
     return problem_.settings.time_integration == TimeIntegration::implicit_theta;
   }
 
   // The phases of an explicit step of one part.
-  void conduct(Solved& one, double step) const;
+  void conduct(Solved& one, const Step& step);
+  /// Weak laws at the start of the step, and what their middle changes; heat by law, J.
+  void exchange_weakly(Solved& one, const Step& step, std::span<double> heat);
+  void centre_weak_exchange(Solved& one, double step, std::span<double> heat);
   void release_sources(Solved& one, const Step& step);
   void exchange_with_surroundings(Solved& one, const Step& step);
+  bool bears_explicitly(const Solved& one, double step) const;
   void finish(Solved& one) const;
+  void keep_in_range(Solved& one) const;
 
   void number_all_leaders(Solved& one) const;
   void prepare(Solved& one, double scale) const;
@@ -82,13 +93,8 @@ class CutCellHeat final : public Physics, public HasSurface {
   double initial_ = 0.0, source_ = 0.0;  // J
   double time_ = 0.0;                    // s, of the temperatures
 
-  TemperatureRange range_;  // that conduction and exchange can reach: values at points keep to it
+  TemperatureRange range_;  // that conduction and exchange can reach
   std::unique_ptr<PointArray> output_temperature_, output_flux_;  // made when first looked at
 };
-
-/// Bounds the largest eigenvalue of C'^-1 K' of a part, 1/s (Lanczos 1950; what thirty steps may
-/// miss is added).
-template <int Dim>
-double fastest_rate(const HeatPart<Dim>& part);
 
 }  // namespace lapilli

@@ -91,7 +91,11 @@ std::vector<std::pair<std::string, double>> CutCellHeat<Dim>::diagnostics() cons
   for (const SurfaceFound& body : found_) {
     free += body.area;
   }
-  return {{"surface_area", area}, {"free_surface_area", free}};
+  double stray = 0.0;
+  for (const Solved& one : solved_) {
+    stray = std::max(stray, one.range.stray(one.part.temperature, range_));
+  }
+  return {{"surface_area", area}, {"free_surface_area", free}, {"nodal_stray", stray}};
 }
 
 template <int Dim>

@@ -143,7 +143,7 @@ void CutCellHeat<Dim>::take_implicit_step(Solved& one, double begin, double size
   for (std::size_t k = 0; k < one.unknown_place.size(); ++k) {
     one.part.temperature[one.unknown_place[k]] = trial[static_cast<Eigen::Index>(k)];
   }
-  one.part.followers.prolong(one.part.temperature);
+  keep_in_range(one);
 }
 
 template <int Dim>

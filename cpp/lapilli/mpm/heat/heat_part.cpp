@@ -1,7 +1,7 @@
 #include "lapilli/mpm/heat/heat_part.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 
@@ -9,16 +9,16 @@
 #include "lapilli/mpm/heat/boundary_conditions.hpp"
 #include "lapilli/mpm/heat/cell_operators.hpp"
 #include "lapilli/mpm/heat/cut_bodies.hpp"
-#include "lapilli/mpm/heat/start_in_shape.hpp"
+#include "lapilli/mpm/heat/part_surface.hpp"
 
 namespace lapilli {
 namespace {
 
-constexpr double hold_factor = 1e4;  // of a prescribed temperature, in conductivity / cell
-
 /// Makes one part.
 template <int Dim, class Function>
 class Assembly {
+  using Cell = CellOperators<Dim, Function>;
+
  public:
   Assembly(const Points& points, const HeatProblem<Dim>& problem,
            const std::vector<CutBody<Dim>>& cut, std::vector<std::size_t> bodies,
@@ -31,16 +31,28 @@ class Assembly {
         function_(function),
         active_(static_cast<std::size_t>(grid_.node_count()), 0) {
     part_.bodies = std::move(bodies);
+    for (int local = 0; local < Cell::nodes; ++local) {
+      offset_[local] = grid_.node_index(Cell::steps(local));
+    }
+    constexpr int width = 2 * Function::support - 1;
+    int steps = 1;
+    for (int axis = 0; axis < Dim; ++axis) {
+      steps *= width;
+    }
+    for (int number = 0; number < steps; ++number) {
+      typename SharedStencil<Dim>::Step step;
+      for (int axis = 0, rest = number; axis < Dim; ++axis, rest /= width) {
+        step[axis] = rest % width - (Function::support - 1);
+      }
+      step_.push_back(step);
+    }
   }
 
   HeatPart<Dim> make(std::vector<SurfaceFound>& found) {
     find_volumes(found);
     find_active();
     part_.rows = std::make_unique<NodeRows<Dim>>(grid_, active_, Function::support - 1);
-    part_.conduction = std::make_unique<StencilMatrix<Dim>>(*part_.rows);
-    for (const std::size_t body : part_.bodies) {
-      add_conduction(body);
-    }
+    connect_nodes();
     std::vector<double> all(active_.size(), 0.0);
     for (const auto& volume : volume_) {
       for (std::size_t node = 0; node < all.size(); ++node) {
@@ -48,47 +60,63 @@ class Assembly {
       }
     }
     part_.followers = Followers<Dim>(grid_, *part_.rows, all, active_);
-    store_heat();
+    store_heat<Dim>(problem_, volume_, part_);
     if (!leaders_keep_capacity(all)) {
       part_.followers = Followers<Dim>(grid_, *part_.rows, all, active_, false);
-      part_.sources.clear();
-      store_heat();
+      store_heat<Dim>(problem_, volume_, part_);
     }
-    connect_surface();
+    connect_surface<Dim>(problem_, cut_, part_);
     found[part_.bodies.front()].followers = static_cast<Index>(part_.followers.count());
     found[part_.bodies.front()].nodes = std::count(active_.begin(), active_.end(), 1);
     return std::move(part_);
   }
 
  private:
-  using Cell = CellOperators<Dim, Function>;
-
   Cell cell_of(std::size_t body) const {
     const Mat<Dim> k = problem_.bodies[body].material.conductivity.template block<Dim>();
     return Cell(grid_, layout_, function_, k);
   }
 
-  Index node_at(const typename Grid<Dim>::Cell& first, int local) const {
-    auto at = first;
-    const auto step = Cell::steps(local);
-    for (int axis = 0; axis < Dim; ++axis) {
-      at[axis] += step[axis];
+  /// The step from one node of a cell to a later one, as a number of `step_`.
+  static std::size_t pair(int a, int b) {
+    const auto from = Cell::steps(a), to = Cell::steps(b);
+    constexpr int width = 2 * Function::support - 1;
+    int number = 0;
+    for (int axis = Dim - 1; axis >= 0; --axis) {
+      number = number * width + to[axis] - from[axis] + Function::support - 1;
     }
-    return grid_.node_index(at);
+    return static_cast<std::size_t>(number);
   }
 
   void find_volumes(std::vector<SurfaceFound>& found) {
-    for (const std::size_t body : part_.bodies) {
+    met_.assign(active_.size(), 0);
+    kind_of_node_.assign(active_.size(), SharedStencil<Dim>::own);
+    for (std::size_t k = 0; k < part_.bodies.size(); ++k) {
+      const std::size_t body = part_.bodies[k];
       Cell cell = cell_of(body);
       std::vector<double>& volume = volume_.emplace_back(active_.size(), 0.0);
+      std::vector<int> whole(active_.size(), 0);
       for (const CellCut<Dim>& cut : cut_[body].cells) {
-        cell.integrate(cut);
-        const auto first = cell.first_node(cut.node);
+        cell.integrate(cut, false);
+        const Index first = grid_.node_index(cell.first_node(cut.node));
         for (int local = 0; local < Cell::nodes; ++local) {
-          volume[node_at(first, local)] += cell.volumes[local];
+          const Index node = first + offset_[local];
+          volume[node] += cell.volumes[local];
+          ++met_[node];
+          whole[node] += cell.is_whole(cut) ? 1 : 0;
+        }
+      }
+      for (std::size_t node = 0; node < whole.size(); ++node) {
+        if (whole[node] == Cell::nodes) {
+          kind_of_node_[node] = static_cast<int>(k);
         }
       }
       found[body].volume = std::accumulate(volume.begin(), volume.end(), 0.0);
+    }
+    for (std::size_t node = 0; node < met_.size(); ++node) {
+      if (met_[node] != Cell::nodes) {
+        kind_of_node_[node] = SharedStencil<Dim>::own;
+      }
     }
   }
 
@@ -121,79 +149,71 @@ class Assembly {
     for (Index row = 0; row < points_.size(); ++row) {
       const auto body = static_cast<std::size_t>(points_.body()[row]);
       if (std::find(part_.bodies.begin(), part_.bodies.end(), body) != part_.bodies.end()) {
-        for_each_node(points_.position<Dim>(row), activate);
-      }
-    }
-  }
-
-  void add_conduction(std::size_t body) {
-    Cell cell = cell_of(body);
-    for (const CellCut<Dim>& cut : cut_[body].cells) {
-      cell.integrate(cut);
-      const auto first = cell.first_node(cut.node);
-      std::array<Index, Cell::nodes> place;
-      for (int local = 0; local < Cell::nodes; ++local) {
-        const Index node = node_at(first, local);
-        place[local] = active_[node] != 0 ? part_.rows->place(node) : -1;
-      }
-      for (int a = 0; a < Cell::nodes; ++a) {
-        const auto from = Cell::steps(a);
-        for (int b = a; b < Cell::nodes && place[a] >= 0; ++b) {
-          if (place[b] < 0 || cell.conduction(a, b) == 0.0) {
-            continue;
-          }
-          auto step = Cell::steps(b);
-          for (int axis = 0; axis < Dim; ++axis) {
-            step[axis] -= from[axis];
-          }
-          part_.conduction->add(place[a], step, cell.conduction(a, b));
+        const auto position = points_.position<Dim>(row);
+        const Index nearest = grid_.node_index(grid_.cell_containing(position));
+        if (kind_of_node_[nearest] == SharedStencil<Dim>::own) {
+          for_each_node(position, activate);
         }
       }
     }
   }
 
-  void store_heat() {
-    const auto size = static_cast<std::size_t>(part_.rows->size());
-    part_.capacity.assign(size, 0.0);
-    part_.temperature.assign(size, 0.0);
+  void connect_nodes() {
+    std::vector<int> kind(static_cast<std::size_t>(part_.rows->size()), SharedStencil<Dim>::nobody);
+    for (const auto& row : part_.rows->rows()) {
+      const Index first = row.grid_row * grid_.nodes(0);
+      for (int i = row.begin; i < row.end; ++i) {
+        if (active_[first + i] != 0) {
+          kind[row.shift + i] = kind_of_node_[first + i];
+        }
+      }
+    }
+    part_.conduction = std::make_unique<SharedStencil<Dim>>(*part_.rows, std::move(kind),
+                                                            static_cast<int>(part_.bodies.size()));
     for (std::size_t k = 0; k < part_.bodies.size(); ++k) {
-      const std::size_t number = part_.bodies[k];
-      const HeatBody& body = problem_.bodies[number];
-      const double capacity = body.material.capacity();
-      typename HeatPart<Dim>::BodyVolume own{number, {}, {}, {}};
-      std::vector<Index> nodes;
-      for (Index node = 0; node < grid_.node_count(); ++node) {
-        if (volume_[k][node] > 0.0) {
-          nodes.push_back(node);
-          own.place.push_back(part_.rows->place(node));
-          own.volume.push_back(volume_[k][node]);
+      Cell cell = cell_of(part_.bodies[k]);
+      share_row(static_cast<int>(k), cell.whole_conduction());
+      for (const CellCut<Dim>& cut : cut_[part_.bodies[k]].cells) {
+        add_conduction(cell, cut);
+      }
+    }
+    part_.conduction->agree();
+  }
+
+  void share_row(int which, const typename Cell::Conduction& whole) {
+    std::vector<double> sum(step_.size(), 0.0);
+    for (int a = 0; a < Cell::nodes; ++a) {
+      for (int b = a + 1; b < Cell::nodes; ++b) {
+        sum[pair(a, b)] += whole(a, b);
+      }
+    }
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      if (sum[k] != 0.0) {
+        part_.conduction->share(which, step_[k], sum[k]);
+      }
+    }
+  }
+
+  void add_conduction(Cell& cell, const CellCut<Dim>& cut) {
+    const Index first = grid_.node_index(cell.first_node(cut.node));
+    std::array<Index, Cell::nodes> place;
+    bool all_share = cell.is_whole(cut);
+    for (int local = 0; local < Cell::nodes; ++local) {
+      const Index node = first + offset_[local];
+      place[local] = active_[node] != 0 ? part_.rows->place(node) : -1;
+      all_share = all_share && kind_of_node_[node] >= 0;
+    }
+    if (all_share) {
+      return;
+    }
+    cell.integrate(cut);
+    for (int a = 0; a < Cell::nodes; ++a) {
+      for (int b = a + 1; b < Cell::nodes && place[a] >= 0; ++b) {
+        if (place[b] >= 0 && cell.conduction(a, b) != 0.0) {
+          part_.conduction->add(place[a], place[b], step_[pair(a, b)], cell.conduction(a, b));
         }
       }
-      own.position = places_in_shape<Dim>(*body.shape, grid_, nodes);
-      const std::vector<double> start =
-          start_at_nodes<Dim>(body.temperature, *body.shape, grid_, nodes, number);
-      for (std::size_t j = 0; j < nodes.size(); ++j) {
-        part_.capacity[own.place[j]] += capacity * own.volume[j];
-        part_.temperature[own.place[j]] += capacity * own.volume[j] * start[j];
-      }
-      if (!body.source.is_constant() || body.source.at(0.0) != 0.0) {
-        part_.sources.push_back(std::move(own));
-      }
     }
-    bool uniform = true;
-    const Value& first = problem_.bodies[part_.bodies.front()].temperature;
-    for (const std::size_t body : part_.bodies) {
-      const Value& one = problem_.bodies[body].temperature;
-      uniform = uniform && !one.is_function() && one.at(0.0) == first.at(0.0);
-    }
-    for (std::size_t place = 0; place < size; ++place) {
-      if (part_.capacity[place] > 0.0) {
-        double& value = part_.temperature[place];
-        value = uniform ? first.at(0.0) : value / part_.capacity[place];
-      }
-    }
-    part_.followers.restrict_to_leaders(part_.capacity);
-    part_.followers.prolong(part_.temperature);
   }
 
   /// Whether all nodes that lead have a fifth of their own capacity and more with their followers.
@@ -214,56 +234,6 @@ class Assembly {
     return true;
   }
 
-  void connect_surface() {
-    std::vector<Index> unknown(static_cast<std::size_t>(part_.rows->size()), -1);
-    const std::size_t laws = problem_.settings.boundaries.size();
-    std::vector<std::vector<Eigen::Triplet<double>>> entries(laws);
-    part_.surface.resize(laws);
-    const auto number_of = [&](Index place) {
-      if (unknown[place] < 0) {
-        unknown[place] = static_cast<Index>(part_.unknown_place.size());
-        part_.unknown_place.push_back(place);
-      }
-      return static_cast<int>(unknown[place]);
-    };
-    for (std::size_t law = 0; law < laws; ++law) {
-      SurfaceSites& sites = part_.surface[law].sites;
-      for (const std::size_t body : part_.bodies) {
-        const Mat<Dim> k = problem_.bodies[body].material.conductivity.template block<Dim>();
-        for (const SurfacePiece<Dim>& piece : cut_[body].pieces[law]) {
-          Vec3 normal = Vec3::Zero();
-          normal.template head<Dim>() = piece.normal;
-          const double hold = hold_factor * piece.normal.dot(k * piece.normal) / grid_.cell_size();
-          for (const auto& site : piece.quadrature()) {
-            const auto row = static_cast<int>(sites.area.size());
-            Vec3 position = Vec3::Zero();
-            position.template head<Dim>() = site.position;
-            sites.position.push_back(position);
-            sites.normal.push_back(normal);
-            sites.area.push_back(site.weight);
-            sites.hold.push_back(hold);
-            for_each_node(site.position, [&](Index node, double s) {
-              const Index place = part_.rows->place(node);
-              if (!part_.followers.follows(place)) {
-                entries[law].emplace_back(row, number_of(place), s);
-                return;
-              }
-              for (const auto& leader : part_.followers.leaders(place)) {
-                entries[law].emplace_back(row, number_of(leader.place), s * leader.weight);
-              }
-            });
-          }
-        }
-      }
-    }
-    for (std::size_t law = 0; law < laws; ++law) {
-      SurfaceTerm::Part& part = part_.surface[law];
-      part.trace.resize(static_cast<Eigen::Index>(part.sites.area.size()),
-                        static_cast<Eigen::Index>(part_.unknown_place.size()));
-      part.trace.setFromTriplets(entries[law].begin(), entries[law].end());
-    }
-  }
-
   const Points& points_;
   const HeatProblem<Dim>& problem_;
   const Grid<Dim>& grid_;
@@ -273,6 +243,9 @@ class Assembly {
   HeatPart<Dim> part_;
   std::vector<unsigned char> active_;
   std::vector<std::vector<double>> volume_;  // by body of the part and node
+  std::vector<int> met_, kind_of_node_;      // by node: cells that touch it, row of the stencil
+  std::array<Index, Cell::nodes> offset_;    // from the first node of a cell
+  std::vector<typename SharedStencil<Dim>::Step> step_;  // all within a cell
 };
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
-#include "lapilli/algebra/stencil_matrix.hpp"
 #include "lapilli/core/points.hpp"
 #include "lapilli/mpm/heat/followers.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
+#include "lapilli/mpm/heat/shared_stencil.hpp"
 #include "lapilli/mpm/heat/surface_term.hpp"
 
 namespace lapilli {
@@ -23,15 +23,22 @@ struct HeatPart {
     std::vector<double> volume;  // m^dim
   };
 
+  /// The surface by nodes, those that follow among them.
+  struct NodalSurface {
+    std::vector<Index> node, place;         // of the grid; of the rows
+    std::vector<SurfaceTerm::Trace> trace;  // by law, temperatures at sites from these nodes
+  };
+
   std::vector<std::size_t> bodies;
   std::unique_ptr<NodeRows<Dim>> rows;
-  std::unique_ptr<StencilMatrix<Dim>> conduction;  // K = integral of grad S . k grad S, W/K
+  std::unique_ptr<SharedStencil<Dim>> conduction;  // K = integral of grad S . k grad S, W/K
   Followers<Dim> followers;
   std::vector<double> capacity;     // C' by place, J/K; zero for nodes that follow
   std::vector<double> temperature;  // by place, K; followers are kept up to date
   std::vector<BodyVolume> sources;
   std::vector<SurfaceTerm::Part> surface;  // by law, with columns by unknown
   std::vector<Index> unknown_place;        // nodes near the surface that lead
+  NodalSurface nodal;
 };
 
 /// What the assembly found, for the record.

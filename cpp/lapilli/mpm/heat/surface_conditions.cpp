@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapilli/core/value_over_step.hpp"
+#include "lapilli/mpm/heat/ambient_over_step.hpp"
 #include "lapilli/mpm/heat/boundary_conditions.hpp"
 
 namespace lapilli {
@@ -50,7 +51,7 @@ void find_slope(const Value& flux, SurfaceSites& sites, double from, double to) 
   for (double& state : warmer) {
     state += rise;
   }
-  evaluate_over(flux, sites.position, warmer, from, to, then);
+  flux.evaluate_mean(sites.position, warmer, from, to, then);
   for (std::size_t k = 0; k < then.size(); ++k) {
     sites.slope[k] = std::max(0.0, (sites.rate[k] - then[k]) / rise);
   }
@@ -122,7 +123,7 @@ UniformLaw SurfaceConditions::uniform(std::size_t law, double hold, double from,
     made.flux = flux->value.mean(from, to);
   } else if (const auto* convection = std::get_if<Convection>(&laws_[law])) {
     made.coefficient = convection->coefficient.mean(from, to);
-    made.ambient = convection->ambient.mean(from, to);
+    made.ambient = ambient_over(convection->coefficient, convection->ambient, 1, zero_, from, to);
   } else {
     made.coefficient = hold;
     made.ambient = std::get<PrescribedTemperature>(laws_[law]).value.mean(from, to);
@@ -138,7 +139,15 @@ void SurfaceConditions::evaluate(std::size_t law, SurfaceSites& sites, double fr
   const std::size_t count = sites.area.size();
   std::vector<double> first(count), second(count);
   const auto fill = [&](const Value& value, std::vector<double>& to_fill) {
-    evaluate_over(value, sites.position, sites.state, from, to, to_fill);
+    value.evaluate_mean(sites.position, sites.state, from, to, to_fill);
+  };
+  const auto fill_ambient = [&](const Value& coefficient, const Value& ambient, int power) {
+    if (ambient.is_function()) {
+      fill(ambient, second);
+    } else {
+      std::fill(second.begin(), second.end(),
+                ambient_over(coefficient, ambient, power, zero_, from, to));
+    }
   };
   if (const auto* flux = std::get_if<Flux>(&laws_[law])) {
     fill(flux->value, sites.rate);
@@ -150,10 +159,10 @@ void SurfaceConditions::evaluate(std::size_t law, SurfaceSites& sites, double fr
   }
   if (const auto* convection = std::get_if<Convection>(&laws_[law])) {
     fill(convection->coefficient, sites.slope);
-    fill(convection->ambient, second);
+    fill_ambient(convection->coefficient, convection->ambient, 1);
   } else if (const auto* radiation = std::get_if<Radiation>(&laws_[law])) {
     fill(radiation->emissivity, first);
-    fill(radiation->ambient, second);
+    fill_ambient(radiation->emissivity, radiation->ambient, 4);
     for (std::size_t k = 0; k < count; ++k) {
       const double own = std::max(sites.state[k] - zero_, 0.0), far = second[k] - zero_;
       sites.slope[k] =

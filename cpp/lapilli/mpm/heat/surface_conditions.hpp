@@ -33,8 +33,8 @@ struct UniformLaw {
 /// The boundary laws of a scene where the surface itself is known. Convection, radiation and a
 /// prescribed temperature are one law, rate = coefficient (ambient - T) at the surface's own
 /// temperature: radiation with the secant coefficient, which no step overshoots, a prescribed
-/// temperature with 1e4 conductivity / cell. Tables count by their mean over the step, functions in
-/// its middle.
+/// temperature with 1e4 conductivity / cell. Tables count by their mean over the step, that of the
+/// ambient weighted by the coefficient, functions in its middle.
 class SurfaceConditions {
  public:
   /// `zero` is absolute zero in the unit of the temperatures.

@@ -28,10 +28,11 @@ class SurfaceTerm {
   };
 
   SurfaceTerm() = default;
-  /// `parts` by law.
-  SurfaceTerm(const SurfaceConditions& laws, std::vector<Part> parts);
+  /// `parts` by law; laws of which `elsewhere` says so are taken into account by others.
+  SurfaceTerm(const SurfaceConditions& laws, std::vector<Part> parts,
+              const std::vector<bool>& elsewhere);
 
-  bool empty() const { return parts_.empty(); }
+  bool empty() const { return empty_; }
   const SurfaceSites& sites(std::size_t law) const { return parts_[law].given.sites; }
 
   /// Take the laws over [from, to] at the temperatures of the unknowns.
@@ -44,6 +45,8 @@ class SurfaceTerm {
   Vector slopes_times(const Vector& x) const;
   Vector slopes_diagonal() const;
   bool has_slopes() const;
+  /// The largest slope of a law, W/(m^2 K).
+  double steepest(std::size_t law) const;
   /// The numbers that slopes are made from: coefficients of uniform laws, slopes at sites of
   /// others.
   std::vector<double> signature() const;
@@ -55,7 +58,7 @@ class SurfaceTerm {
  private:
   struct Known {
     Part given;
-    bool uniform = false;
+    bool uniform = false, elsewhere = false;
     double hold = 0.0;
     Vector area;   // integral of S
     Matrix areas;  // integral of S S, of a uniform law
@@ -63,6 +66,7 @@ class SurfaceTerm {
     double heat_now = 0.0;  // W, at the temperatures of the evaluation
   };
   std::vector<Known> parts_;
+  bool empty_ = true;
   Vector force_;
 };
 

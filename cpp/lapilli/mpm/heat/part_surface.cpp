@@ -1,0 +1,161 @@
+#include "lapilli/mpm/heat/part_surface.hpp"
+
+#include "lapilli/mpm/heat/start_in_shape.hpp"
+#include "lapilli/mpm/surface/cut_shape.hpp"
+#include "lapilli/mpm/transfer/weights.hpp"
+
+namespace lapilli {
+namespace {
+
+constexpr double hold_factor = 1e4;  // of a prescribed temperature, in conductivity / cell
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+/// Numbers things as they are met.
+class Numbers {
+ public:
+  explicit Numbers(Index size) : number_(static_cast<std::size_t>(size), -1) {}
+  int of(Index place, std::vector<Index>& met) {
+    if (number_[place] < 0) {
+      number_[place] = static_cast<Index>(met.size());
+      met.push_back(place);
+    }
+    return static_cast<int>(number_[place]);
+  }
+
+ private:
+  std::vector<Index> number_;
+};
+
+template <int Dim, class Function>
+void trace_pieces(const HeatProblem<Dim>& problem, const std::vector<CutBody<Dim>>& cut,
+                  const Function& function, HeatPart<Dim>& part) {
+  const Grid<Dim>& grid = problem.grid;
+  const std::size_t laws = problem.settings.boundaries.size();
+  Numbers numbers(grid.node_count());
+  std::vector<Triplets> entries(laws);
+  part.surface.resize(laws);
+  for (std::size_t law = 0; law < laws; ++law) {
+    SurfaceSites& sites = part.surface[law].sites;
+    for (const std::size_t body : part.bodies) {
+      const Mat<Dim> k = problem.bodies[body].material.conductivity.template block<Dim>();
+      for (const SurfacePiece<Dim>& piece : cut[body].pieces[law]) {
+        Vec3 normal = Vec3::Zero();
+        normal.template head<Dim>() = piece.normal;
+        const double hold = hold_factor * piece.normal.dot(k * piece.normal) / grid.cell_size();
+        for (const auto& site : piece.quadrature()) {
+          const auto row = static_cast<int>(sites.area.size());
+          Vec3 position = Vec3::Zero();
+          position.template head<Dim>() = site.position;
+          sites.position.push_back(position);
+          sites.normal.push_back(normal);
+          sites.area.push_back(site.weight);
+          sites.hold.push_back(hold);
+          Weights<Dim, Function>(grid, function, site.position.data())
+              .for_each_node(grid, [&](Index node, double s, const Vec<Dim>&) {
+                if (s > 0.0) {
+                  entries[law].emplace_back(row, numbers.of(node, part.nodal.node), s);
+                }
+              });
+        }
+      }
+    }
+  }
+  const auto count = static_cast<Eigen::Index>(part.nodal.node.size());
+  for (std::size_t law = 0; law < laws; ++law) {
+    SurfaceTerm::Trace trace(static_cast<Eigen::Index>(part.surface[law].sites.area.size()), count);
+    trace.setFromTriplets(entries[law].begin(), entries[law].end());
+    part.nodal.trace.push_back(std::move(trace));
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+void connect_surface(const HeatProblem<Dim>& problem, const std::vector<CutBody<Dim>>& cut,
+                     HeatPart<Dim>& part) {
+  with_shape(problem.shape, resting_half_width,
+             [&](auto function) { trace_pieces<Dim>(problem, cut, function, part); });
+  Numbers numbers(part.rows->size());
+  Triplets entries;
+  for (std::size_t k = 0; k < part.nodal.node.size(); ++k) {
+    const auto row = static_cast<int>(k);
+    const Index place = part.rows->place(part.nodal.node[k]);
+    part.nodal.place.push_back(place);
+    if (!part.followers.follows(place)) {
+      entries.emplace_back(row, numbers.of(place, part.unknown_place), 1.0);
+      continue;
+    }
+    for (const auto& leader : part.followers.leaders(place)) {
+      entries.emplace_back(row, numbers.of(leader.place, part.unknown_place), leader.weight);
+    }
+  }
+  SurfaceTerm::Trace from_leaders(static_cast<Eigen::Index>(part.nodal.node.size()),
+                                  static_cast<Eigen::Index>(part.unknown_place.size()));
+  from_leaders.setFromTriplets(entries.begin(), entries.end());
+  for (std::size_t law = 0; law < part.surface.size(); ++law) {
+    part.surface[law].trace = part.nodal.trace[law] * from_leaders;
+  }
+}
+
+template <int Dim>
+void store_heat(const HeatProblem<Dim>& problem, const std::vector<std::vector<double>>& volume,
+                HeatPart<Dim>& part) {
+  const auto size = static_cast<std::size_t>(part.rows->size());
+  part.capacity.assign(size, 0.0);
+  part.temperature.assign(size, 0.0);
+  part.sources.clear();
+  bool uniform = true;
+  const Value& first = problem.bodies[part.bodies.front()].temperature;
+  for (const std::size_t body : part.bodies) {
+    const Value& one = problem.bodies[body].temperature;
+    uniform = uniform && !one.is_function() && one.at(0.0) == first.at(0.0);
+  }
+  for (std::size_t k = 0; k < part.bodies.size(); ++k) {
+    const std::size_t number = part.bodies[k];
+    const HeatBody& body = problem.bodies[number];
+    const bool heats = !body.source.is_constant() || body.source.at(0.0) != 0.0;
+    const double capacity = body.material.capacity();
+    typename HeatPart<Dim>::BodyVolume own{number, {}, {}, {}};
+    std::vector<Index> nodes;
+    for (Index node = 0; node < problem.grid.node_count(); ++node) {
+      if (volume[k][node] > 0.0) {
+        nodes.push_back(node);
+        own.place.push_back(part.rows->place(node));
+        own.volume.push_back(volume[k][node]);
+        part.capacity[own.place.back()] += capacity * volume[k][node];
+      }
+    }
+    if (!uniform) {
+      const std::vector<double> start =
+          start_at_nodes<Dim>(body.temperature, *body.shape, problem.grid, nodes, number);
+      for (std::size_t j = 0; j < nodes.size(); ++j) {
+        part.temperature[own.place[j]] += capacity * own.volume[j] * start[j];
+      }
+    }
+    if (heats) {
+      own.position = places_in_shape<Dim>(*body.shape, problem.grid, nodes);
+      part.sources.push_back(std::move(own));
+    }
+  }
+  for (std::size_t place = 0; place < size; ++place) {
+    if (part.capacity[place] > 0.0) {
+      double& value = part.temperature[place];
+      value = uniform ? first.at(0.0) : value / part.capacity[place];
+    }
+  }
+  part.followers.restrict_to_leaders(part.capacity);
+  part.followers.prolong(part.temperature);
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                                             \
+  template void connect_surface(const HeatProblem<Dim>&, const std::vector<CutBody<Dim>>&,   \
+                                HeatPart<Dim>&);                                             \
+  template void store_heat(const HeatProblem<Dim>&, const std::vector<std::vector<double>>&, \
+                           HeatPart<Dim>&);
+LAPILLI_INSTANTIATE(1)
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+}  // namespace lapilli
