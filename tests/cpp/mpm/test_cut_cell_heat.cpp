@@ -183,6 +183,24 @@ TEST_CASE("A pulse shorter than a step counts whole") {
   }
 }
 
+TEST_CASE("The ambient of a step counts with the coefficient of its time") {
+  for (const bool implicit : {false, true}) {
+    Scene<2> scene;
+    scene.add(Disk{{0.1, 0.2}, 4.0});
+    Convection law;
+    law.coefficient = Table{{0.1, 0.1}, {1e-3, 0.0}};
+    law.ambient = Table{{0.1, 0.1}, {2.0, -1.0}};
+    scene.settings.boundaries = {law};
+    if (implicit) {
+      theta(scene.settings);
+    }
+    Simulation simulation = scene.start(0.2, 0.2);
+    simulation.run_until(0.2);
+    CHECK(heat_taken(simulation) ==
+          Approx(2e-4 * diagnostic(simulation, "surface_area")).epsilon(1e-3));
+  }
+}
+
 // Between surroundings at 1 and 0 in a steady state as much goes out as comes in.
 TEST_CASE("Every law books its own heat") {
   for (const bool implicit : {false, true}) {

@@ -120,6 +120,14 @@ void CutCellHeat<Dim>::take_implicit_step(Solved& one, double begin, double size
       break;
     }
   }
+  for (std::size_t k = 0; k < one.unknown_place.size(); ++k) {
+    nodal[one.unknown_place[k]] = trial[static_cast<Eigen::Index>(k)];
+  }
+  one.range.restore(one.part, range_, nodal);
+  if (weight < 1.0 && one.range.stray(nodal, range_) > 1e-10 * (range_.high - range_.low)) {
+    report.accepted = 0.0;  // beyond what neighbours can take up
+    return;
+  }
   change = linear ? 0.0 : change;  // one solve is the answer
   if (change > 1e-8 * scale) {
     throw RunError(message("heat: the theta scheme stalled after ", iterations_allowed,
@@ -140,25 +148,29 @@ void CutCellHeat<Dim>::take_implicit_step(Solved& one, double begin, double size
   for (std::size_t law = 0; law < of_laws.size(); ++law) {
     laws_.book(law, law == largest ? of_laws[law] + given : of_laws[law]);
   }
-  for (std::size_t k = 0; k < one.unknown_place.size(); ++k) {
-    one.part.temperature[one.unknown_place[k]] = trial[static_cast<Eigen::Index>(k)];
+  for (const Index place : one.unknown_place) {
+    one.part.temperature[place] = nodal[place];
   }
-  keep_in_range(one);
+  one.part.followers.prolong(one.part.temperature);
 }
 
 template <int Dim>
 StepReport CutCellHeat<Dim>::advance_implicitly(Solved& one, const Step& step) {
   // The two steps after the start and after every jump of a table are taken as backward Euler
   // halves, which share the matrix of a Crank-Nicolson step and damp what it excites (Rannacher
-  // 1984).
+  // 1984); so are steps that would leave the range.
   const double theta = problem_.settings.theta;
-  const bool damped = theta < 1.0 && (step.index < 2 || laws_.jumps_within(step.time - step.size,
-                                                                           step.time + step.size));
-  const int parts = damped ? 2 : 1;
+  bool damped = theta < 1.0 && (step.index < 2 ||
+                                laws_.jumps_within(step.time - step.size, step.time + step.size));
   StepReport report{step.size, 0, 0.0};
-  for (int part = 0; part < parts; ++part) {
-    const double size = step.size / parts;
-    take_implicit_step(one, step.time + part * size, size, damped ? 1.0 : theta, report);
+  if (!damped) {
+    take_implicit_step(one, step.time, step.size, theta, report);
+    damped = report.accepted == 0.0;
+    report.accepted = step.size;
+  }
+  for (int half = 0; half < 2 && damped; ++half) {
+    const double size = 0.5 * step.size;
+    take_implicit_step(one, step.time + half * size, size, 1.0, report);
   }
   return report;
 }

@@ -8,7 +8,7 @@
 namespace lapilli {
 namespace {
 
-constexpr int farthest = 4;          // cells that heat is handed on
+constexpr int farthest = 8;          // cells that heat is handed on
 constexpr double tolerance = 1e-13;  // of the largest temperature: rounding
 
 /// The least and largest of several ranges, as a sum.
