@@ -100,7 +100,7 @@ StepLimit CutCellHeat<Dim>::step_limit() const {
   const double since = time_ - laws_.last_jump(time_);
   if (!is_implicit() && !laws_.empty() && std::isfinite(limit.automatic)) {
     const double share = std::clamp(growth * since / limit_.automatic, smallest, 1.0);
-    limit.automatic *= std::exp2(std::floor(std::log2(share) + 1e-9));
+    limit.automatic *= std::exp2(std::round(std::log2(share)));
   }
   return limit;
 }
