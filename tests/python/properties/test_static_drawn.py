@@ -573,6 +573,23 @@ def test_a_column_is_as_right_at_any_poisson_ratio(degrees: float, shape_functio
     assert max(one.imbalance, other.imbalance) < BALANCE
 
 
+@pytest.mark.parametrize("degrees", [17, 45])
+def test_walls_that_go_on_beyond_a_column_push_it_no_further(degrees: float) -> None:
+    errors = []
+    for poisson in (0.3, 0.4999):
+        drawn = column(degrees, poisson, "gimp")
+        settings = drawn.scene.quasi_static
+        assert settings is not None
+        walls = []
+        for wall in settings.walls:
+            start, along = np.array(wall.line[0]), np.diff(np.array(wall.line), axis=0)[0]
+            plane = lp.HalfSpace(point=numbers(start), normal=numbers([-along[1], along[0]]))
+            walls.append(lp.Support(name=wall.name, kind="roller", shape=plane))
+        settings.walls = walls
+        errors.append(outcome_of(drawn).error)
+    assert errors[1] < 1.5 * errors[0] + 2e-4
+
+
 def test_linear_functions_warn_where_points_cross_cells() -> None:
     for shape_function in ("linear", "gimp"):
         drawn = column(0, 0.3, shape_function)

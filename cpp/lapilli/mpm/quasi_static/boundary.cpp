@@ -23,6 +23,45 @@ double total_area(const std::vector<Facet<Dim>>& facets) {
   return sum;
 }
 
+double distance_to(const std::vector<Shape>& bodies, const Vec3& at) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Shape& body : bodies) {
+    least = std::min(least, lapilli::distance(body, at));
+  }
+  return least;
+}
+
+template <int Dim>
+bool holds_averaged(const Grid<Dim>& grid, const CellState<Dim>& state,
+                    const std::vector<Facet<Dim>>& facets) {
+  return std::any_of(facets.begin(), facets.end(), [&](const Facet<Dim>& facet) {
+    return state.mean.of_cell(grid.cell_index(facet.cell)) != nullptr;
+  });
+}
+
+/// Walls that go on beyond nearly incompressible bodies at rest would push where there is nothing:
+/// let their facets end with the bodies, where they lie on them.
+template <int Dim, class Cut>
+void end_with_bodies(const std::vector<Shape>& bodies, std::vector<Facet<Dim>>& facets,
+                     const Cut& cut, double cell_size) {
+  constexpr double exact = 1e-9, in = 0.05, most = 0.9;
+  if (bodies.empty()) {
+    return;
+  }
+  double covered = 0.0;
+  for (const Facet<Dim>& facet : facets) {
+    for (const SurfacePoint<Dim>& point : facet.points) {
+      const Vec<Dim> inside = point.position + in * cell_size * point.normal;
+      covered += distance_to(bodies, in_space<Dim>(inside)) < 0.0 ? point.weight : 0.0;
+    }
+  }
+  std::vector<Facet<Dim>> ended =
+      cut([&](const Vec3& at) { return exact * cell_size - distance_to(bodies, at); });
+  if (total_area(ended) > most * covered && !ended.empty()) {
+    facets = std::move(ended);
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -81,6 +120,17 @@ std::vector<Facet<Dim>> Boundary<Dim>::cut_walls(const Grid<Dim>& grid, CellStat
                              ": move it to the body's surface, or check on which side of it the "
                              "material is"));
     }
+    if (time == 0.0 && holds_averaged(grid, state, facets)) {
+      end_with_bodies(
+          bodies_, facets,
+          [&](const auto& on_a_body) {
+            return facets_at_material(
+                grid, state,
+                walls_[w].cut(grid, near, static_cast<int>(w), time, solids, on_a_body),
+                settings_.hold_empty_cells);
+          },
+          grid.cell_size());
+    }
     all.insert(all.end(), facets.begin(), facets.end());
   }
   return all;
@@ -94,11 +144,7 @@ std::vector<LoadedSurface<Dim>> Boundary<Dim>::cut_tractions(const Grid<Dim>& gr
   constexpr double exact = 1e-9, slack = 1e-3, most = 0.9;
   double off = exact;
   const auto on_a_body = [&](const Vec3& at) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Shape& body : bodies_) {
-      least = std::min(least, lapilli::distance(body, at));
-    }
-    return off * grid.cell_size() - least;
+    return off * grid.cell_size() - distance_to(bodies_, at);
   };
   const std::vector<char> everywhere(grid.cell_count(), 1);
   const std::vector<char> near = cells_near_material(grid, state);

@@ -179,9 +179,6 @@ std::vector<Facet<Dim>> MovingSurface<Dim>::cut(
     std::span<const MovingSurface* const> solids,
     const std::function<double(const Vec3&)>& counts) const {
   std::vector<std::function<double(const Vec3&)>> trims;
-  if (counts) {
-    trims.push_back(counts);
-  }
   if (within_) {
     const Vec<Dim> by = offset(time);
     trims.push_back([this, by](const Vec3& place) {
@@ -194,6 +191,9 @@ std::vector<Facet<Dim>> MovingSurface<Dim>::cut(
         trims.push_back([solid, time](const Vec3& place) { return solid->distance(place, time); });
       }
     }
+  }
+  if (counts) {
+    trims.push_back(counts);
   }
   if constexpr (Dim == 2) {
     if (!line_.empty()) {
