@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <array>
 #include <vector>
@@ -96,14 +97,12 @@ template <int Dim>
 template <int Reach, int Lanes>
 std::array<double, Lanes> SharedStencil<Dim>::shared_block(const double* at, const double* c,
                                                            const Distances& away) const {
-  std::array<double, Lanes> product{}, twice;
-  for (int k = 0; k < Lanes; ++k) {
-    twice[k] = 2.0 * at[k];
-  }
+  using Some = Eigen::Array<double, Lanes, 1>;
+  using At = Eigen::Map<const Some>;
+  Some sum = Some::Zero();
+  const Some twice = 2.0 * At(at);
   const auto add = [&](const double* up, const double* down, double factor) {
-    for (int k = 0; k < Lanes; ++k) {
-      product[k] += factor * ((up[k] + down[k]) - twice[k]);
-    }
+    sum += factor * ((At(up) + At(down)) - twice);
   };
   for (int i = 1; i <= Reach; ++i) {
     add(at + i, at - i, *c++);
@@ -114,6 +113,8 @@ std::array<double, Lanes> SharedStencil<Dim>::shared_block(const double* at, con
       add(up + i, down - i, *c++);
     }
   }
+  std::array<double, Lanes> product;
+  Eigen::Map<Some>(product.data()) = sum;
   return product;
 }
 
@@ -121,12 +122,13 @@ template <int Dim>
 template <int Reach, int Lanes>
 std::array<double, Lanes> SharedStencil<Dim>::own_block(const double* at, const double* c,
                                                         const Distances& away) const {
-  std::array<double, Lanes> product{};
+  using Some = Eigen::Array<double, Lanes, 1>;
+  using At = Eigen::Map<const Some>;
+  Some sum = Some::Zero();
+  const Some here = At(at);
   const double* mirrored = c + half_ * Lanes;
   const auto add = [&](const double* up, const double* down) {
-    for (int k = 0; k < Lanes; ++k) {
-      product[k] += c[k] * (up[k] - at[k]) + mirrored[k] * (down[k] - at[k]);
-    }
+    sum += At(c) * (At(up) - here) + At(mirrored) * (At(down) - here);
     c += Lanes;
     mirrored += Lanes;
   };
@@ -139,6 +141,8 @@ std::array<double, Lanes> SharedStencil<Dim>::own_block(const double* at, const 
       add(up + i, down - i);
     }
   }
+  std::array<double, Lanes> product;
+  Eigen::Map<Some>(product.data()) = sum;
   return product;
 }
 
