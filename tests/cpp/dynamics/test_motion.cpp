@@ -104,10 +104,9 @@ TEST_CASE("a free spinning disk keeps its angular momentum and energy over ten t
     run.until(10 * 2 * std::numbers::pi / spin);
     CAPTURE(name_of(shape), name_of(transfer));
     CHECK(std::abs(run.solver->angular_momentum()[2] / momentum - 1) <
-          (transfer == VelocityTransfer::apic ? 1e-12 : 1e-3));
-    // The blend: 6.7e-3.
+          (transfer == VelocityTransfer::apic ? 1e-12 : 1e-4));  // the blend 2.9e-5
     CHECK(std::abs((run.value("kinetic energy") + run.value("elastic energy")) / energy - 1) <
-          (transfer == VelocityTransfer::apic ? 1e-3 : 1e-2));
+          2e-4);  // 3e-5 to 8e-5
   }
 }
 

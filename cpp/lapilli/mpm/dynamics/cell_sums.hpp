@@ -50,11 +50,12 @@ class CellSums {
   Index first_ = -1;
 };
 
-/// Dynamics of one point, m (v + affine), into the sums `offset` to `offset` + Dim - 1.
+/// Dynamics of one point, m (v + affine), into the sums `offset` to `offset` + Dim - 1. `affine`:
+/// its matrix, row-major.
 template <VelocityTransfer transfer, int Dim, class Shape, int arrays>
 void add_momentum(CellSums<Dim, Shape, arrays>& sums, int offset, const SimdWeights<Dim, Shape>& w,
                   const AxisWeights<Dim, Shape>& axes, double h, double mass,
-                  const double* velocity, const double* affine, Index row) {
+                  const double* velocity, const double* affine) {
   constexpr int quads = Stencil<Dim, Shape>::quads;
   for (int axis = 0; axis < Dim; ++axis) {
     const double momentum = mass * velocity[axis];
@@ -68,7 +69,7 @@ void add_momentum(CellSums<Dim, Shape, arrays>& sums, int offset, const SimdWeig
     const SimdWeights<Dim, Shape> lever(axes.value, factor);
     for (int axis = 0; axis < Dim; ++axis) {
       for (int along = 0; along < Dim; ++along) {
-        const double moment = mass * affine[(row * Dim + axis) * Dim + along];
+        const double moment = mass * affine[axis * Dim + along];
         for (int q = 0; q < quads; ++q) {
           sums.sum[offset + axis][q] += lever.slope[along][q] * moment;
         }

@@ -46,7 +46,8 @@ void project_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil, d
     for (int q = 0; q < quads; ++q) {
       sums.sum[0][q] += w.value[q] * mass[row];
     }
-    add_momentum<transfer>(sums, 1, w, axes, h, mass[row], velocity + row * Dim, affine, row);
+    add_momentum<transfer>(sums, 1, w, axes, h, mass[row], velocity + row * Dim,
+                           affine ? affine + row * Dim * Dim : nullptr);
     double load[components];
     for (int c = 0; c < components; ++c) {
       load[c] = -volume[row] * stress[row * components + c];

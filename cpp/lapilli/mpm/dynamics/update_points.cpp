@@ -110,7 +110,8 @@ PointSums update_usl_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& st
       [&](Index row, const auto& axes, const auto& w, double* velocity, double* gradient,
           PointSums& sums) {
         nodes.move_to(axes.first);
-        sums.kinetic += update(row, nodes, axes, w, velocity, gradient);
+        double here[Dim * Dim];
+        sums.kinetic += update(row, nodes, axes, w, velocity, gradient, here);
         if constexpr (is_affine<transfer, Shape>) {
           std::copy_n(velocity, Dim, data.carried->data() + row * Dim);
         }
@@ -138,15 +139,14 @@ PointSums update_velocity_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape
     const SimdWeights<Dim, Shape> w(axes.value, axes.slope);
     nodes.move_to(axes.first);
     sums.move_to(axes.first);
-    double carried[Dim];
-    found.kinetic += update(row, nodes, axes, w, carried, nullptr);
+    double carried[Dim], here[Dim * Dim];
+    found.kinetic += update(row, nodes, axes, w, carried, nullptr, here);
     if constexpr (is_affine<transfer, Shape>) {
       std::copy_n(carried, Dim, data.carried->data() + row * Dim);
     }
     const double* velocity = data.velocity.data() + row * Dim;
     found.speed = std::max(found.speed, squared<Dim>(velocity));
-    add_momentum<transfer>(sums, 0, w, axes, grid.cell_size(), data.mass[row], velocity,
-                           data.affine ? data.affine->data() : nullptr, row);
+    add_momentum<transfer>(sums, 0, w, axes, grid.cell_size(), data.mass[row], velocity, here);
   }
   return found;
 }

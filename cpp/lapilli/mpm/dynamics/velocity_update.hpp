@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "lapilli/mpm/dynamics/cell_sums.hpp"
@@ -47,9 +48,11 @@ class VelocityUpdate {
 
   /// Update one point; writes the velocity of its place over the step to `carried` (FLIP: the mean
   /// of before and after; affine: the one after) and the gradient of the strain velocity,
-  /// row-major, to `gradient` where asked for. Returns its kinetic energy.
+  /// row-major, to `gradient` where asked for, and the affine matrix where the point still is,
+  /// row-major, to `here`: the stored one belongs to where it moves. Returns its kinetic energy.
   double operator()(Index row, const Nodes& nodes, const AxisWeights<Dim, Shape>& axes,
-                    const SimdWeights<Dim, Shape>& w, double* carried, double* gradient) const {
+                    const SimdWeights<Dim, Shape>& w, double* carried, double* gradient,
+                    double* here) const {
     constexpr int first_gradient = values;
     constexpr int first_lever = first_gradient + (slopes ? Dim * Dim : 0);
     constexpr int used = first_lever + (levered ? values * Dim : 0);
@@ -84,11 +87,12 @@ class VelocityUpdate {
     double square = 0.0;
     double share = share_;
     if constexpr (blended && affine) {
-      square = blend_affine(row, axes, value + first_lever, share);
+      square = blend_affine(row, axes, value + first_lever, share, here);
     } else if constexpr (blended) {
       share = 1.0 - kept(Eigen::Map<const RowMajor>(value + first_gradient));
     } else if constexpr (affine) {
       square = keep_affine(row, axes, value + (levered ? first_lever : first_gradient));
+      std::copy_n(affine_ + row * Dim * Dim, Dim * Dim, here);
     }
     double* velocity = velocity_ + row * Dim;
     for (int axis = 0; axis < Dim; ++axis) {
@@ -122,7 +126,7 @@ class VelocityUpdate {
   /// the last factor carries the gradient with the deformation. Sets the share of the nodes, and
   /// returns twice the kinetic energy of the matrix over the mass.
   double blend_affine(Index row, const AxisWeights<Dim, Shape>& axes, const double* lever,
-                      double& share) const {
+                      double& share, double* here) const {
     Eigen::Map<RowMajor> own(affine_ + row * Dim * Dim);
     Matrix after, change;
     double moment[Dim];
@@ -136,11 +140,13 @@ class VelocityUpdate {
     }
     const double keep = kept(after);
     share = 1.0 - keep;
+    const Matrix blended_here = after + keep * (own - after + change);
+    Eigen::Map<RowMajor>{here} = blended_here;
     const Matrix carry = Matrix::Identity() + step_ * after;
-    own = ((after + keep * (own - after + change)) * carry.inverse()).eval();
+    own = blended_here * carry.inverse();
     double square = 0.0;
     for (int along = 0; along < Dim; ++along) {
-      square += own.col(along).squaredNorm() * moment[along];
+      square += blended_here.col(along).squaredNorm() * moment[along];
     }
     return square;
   }
