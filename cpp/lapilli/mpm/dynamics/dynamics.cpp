@@ -98,6 +98,9 @@ NodeSums Dynamics<Dim>::solve_nodes(const Step& step) {
     obstacles_->push(data_, step, speed_, sums);
   }
   hold_nodes(data_, step.size, sums);
+  if (data_.nodes.fades()) {
+    blend_nodes(data_, step.size);
+  }
   return sums;
 }
 

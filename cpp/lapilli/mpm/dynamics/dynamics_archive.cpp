@@ -16,6 +16,9 @@ void Dynamics<Dim>::save(Archive& archive) const {
     keep("affine", *data_.affine);
     keep("carried", *data_.carried);
   }
+  if (data_.strain_rate) {
+    keep("strain_rate", *data_.strain_rate);
+  }
   if (data_.deformation) {
     keep("deformation", *data_.deformation);
   }
@@ -55,6 +58,9 @@ void Dynamics<Dim>::load(const Archive& archive) {
   if (data_.affine) {
     fetch("affine", *data_.affine);
     fetch("carried", *data_.carried);
+  }
+  if (data_.strain_rate) {
+    fetch("strain_rate", *data_.strain_rate);
   }
   if (data_.deformation) {
     fetch("deformation", *data_.deformation);

@@ -9,13 +9,16 @@
 namespace lapilli {
 
 template <int Dim>
-DynamicsNodes<Dim>::DynamicsNodes(const Grid<Dim>& grid, ShapeFunction shape, StressUpdate update)
+DynamicsNodes<Dim>::DynamicsNodes(const Grid<Dim>& grid, ShapeFunction shape,
+                                  const DynamicsSettings& settings)
     : limits_strain_(shape == ShapeFunction::linear),
+      fades_(settings.transfer == VelocityTransfer::blended_apic),
       size_(grid.node_count() + 4),
       layer_(grid.node_stride(Dim - 1)) {
-  const int always = 1 + (update == StressUpdate::musl ? 3 : 2) * Dim;
+  const int always = 1 + (settings.stress_update == StressUpdate::musl ? 3 : 2) * Dim;
   limited_ = limits_strain_ ? always : 1;
-  const int arrays = always + (limits_strain_ ? Dim : 0);
+  faded_ = always + (limits_strain_ ? Dim : 0);
+  const int arrays = faded_ + (fades_ ? Dim + 1 : 0);
   values_.assign(static_cast<std::size_t>(size_ * arrays), 0.0);
 }
 
@@ -26,6 +29,9 @@ void DynamicsNodes<Dim>::clear(std::pair<int, int> layers) {
   parallel_ranges(to - from, [&](Index begin, Index end) {
     for (int which = 0; which < 1 + 2 * Dim; ++which) {
       std::fill(array(which) + from + begin, array(which) + from + end, 0.0);
+    }
+    if (fades_) {
+      std::fill(fade() + from + begin, fade() + from + end, 0.0);
     }
   });
   first_ = first;
@@ -61,7 +67,7 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
       velocity(of_points, Dim),
       stress(of_points, stress_components),
       order(problem.grid, problem.shape == ShapeFunction::linear ? 2 : 3),
-      nodes(problem.grid, problem.shape, problem.settings.stress_update) {
+      nodes(problem.grid, problem.shape, problem.settings) {
   check(settings, Dim);
   std::copy(settings.gravity.begin(), settings.gravity.end(), gravity.data());
   require(points.dimension() == Dim, "momentum of dimension ", Dim, " got points of dimension ",
@@ -78,6 +84,9 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
   if (!moves_with_mean) {
     affine = std::make_unique<PointArray>(points, Dim * Dim);
     carried = std::make_unique<PointArray>(points, Dim);
+  }
+  if (nodes.fades()) {
+    strain_rate = std::make_unique<PointArray>(points, 1);
   }
   constexpr double empty_share = 1e-15;  // of a cell full of the lightest material
   empty_node = empty_share * full_cell(*this);

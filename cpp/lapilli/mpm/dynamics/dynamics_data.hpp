@@ -15,20 +15,26 @@ namespace lapilli {
 /// nodes are solved, `increment` the force; `strain_velocity` is the one that strains the points
 /// (and gives TPIC its gradient): the same, except under linear functions, whose slope is whole on
 /// nodes that carry next to nothing. `second_velocity` is what MUSL projects again and strains with
-/// instead.
+/// instead. With the blend, `fade` is the share of what points differ from a node by that they lose
+/// to it in the step, and `gain` what the node hands them: its increment and that share of its
+/// velocity.
 template <int Dim>
 class DynamicsNodes {
  public:
-  DynamicsNodes(const Grid<Dim>& grid, ShapeFunction shape, StressUpdate update);
+  DynamicsNodes(const Grid<Dim>& grid, ShapeFunction shape, const DynamicsSettings& settings);
 
   /// Whether light nodes strain with a velocity of their own.
   bool limits_strain() const { return limits_strain_; }
+  /// Whether points forget at a rate of the nodes.
+  bool fades() const { return fades_; }
 
   double* mass() { return array(0); }
   double* velocity(int axis) { return array(1 + axis); }
   double* increment(int axis) { return array(1 + Dim + axis); }
   double* strain_velocity(int axis) { return array(limited_ + axis); }
   double* second_velocity(int axis) { return array(1 + 2 * Dim + axis); }  // MUSL only
+  double* gain(int axis) { return array(faded_ + axis); }                  // blended_apic only
+  double* fade() { return array(faded_ + Dim); }                           // blended_apic only
   const double* mass() const { return array(0); }
   const double* velocity(int axis) const { return array(1 + axis); }
   const double* increment(int axis) const { return array(1 + Dim + axis); }
@@ -46,8 +52,9 @@ class DynamicsNodes {
   double* array(int which) { return values_.data() + which * size_; }
   const double* array(int which) const { return values_.data() + which * size_; }
 
-  bool limits_strain_;
+  bool limits_strain_, fades_;
   int limited_;  // first array of the strain velocity
+  int faded_;    // first array of the gain
   Index size_;   // of one array, with room for a quad past the last node
   Index layer_;  // nodes in one layer across the slowest axis
   Index first_ = 0, last_ = 0;
@@ -74,6 +81,7 @@ struct DynamicsData {
   PointArray stress;                        // Pa; xx yy zz xy, and yz xz in 3D
   std::unique_ptr<PointArray> affine;       // gradient, 1/s; APIC: sum v (x_I - x) S, m2/s
   std::unique_ptr<PointArray> carried;      // m/s, what moved the point last; with `affine`
+  std::unique_ptr<PointArray> strain_rate;  // 1/s, of the nodes around it, last; blended_apic
   std::unique_ptr<PointArray> deformation;  // incremental deformation gradient minus one, on demand
   std::unique_ptr<PointArray> plastic;      // J dissipated since last taken, on demand
   std::unique_ptr<PointArray> free_strain;  // isotropic strain of the next step, on demand

@@ -17,12 +17,17 @@ constexpr int stress_index(int i, int j) {
 template <int Dim, class Shape, VelocityTransfer transfer>
 void project_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil, double step,
                   Index begin, Index end) {
-  constexpr int arrays = 1 + 2 * Dim, components = DynamicsData<Dim>::stress_components;
+  constexpr bool fades = transfer == VelocityTransfer::blended_apic;
+  constexpr int arrays = 1 + 2 * Dim + (fades ? 1 : 0),
+                components = DynamicsData<Dim>::stress_components;
   constexpr int quads = Stencil<Dim, Shape>::quads;
   double* to[arrays] = {data.nodes.mass()};
   for (int axis = 0; axis < Dim; ++axis) {
     to[1 + axis] = data.nodes.velocity(axis);
     to[1 + Dim + axis] = data.nodes.increment(axis);
+  }
+  if constexpr (fades) {
+    to[arrays - 1] = data.nodes.fade();
   }
   CellSums<Dim, Shape, arrays> sums(stencil, to);
   const ShapeOfBody<Shape> shape_of(data.half_widths);
@@ -48,6 +53,12 @@ void project_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil, d
     }
     add_momentum<transfer>(sums, 1, w, axes, h, mass[row], velocity + row * Dim,
                            affine ? affine + row * Dim * Dim : nullptr);
+    if constexpr (fades) {
+      const double rate = mass[row] * (*data.strain_rate)[row];
+      for (int q = 0; q < quads; ++q) {
+        sums.sum[arrays - 1][q] += w.value[q] * rate;
+      }
+    }
     double load[components];
     for (int c = 0; c < components; ++c) {
       load[c] = -volume[row] * stress[row * components + c];

@@ -1,6 +1,7 @@
 #include "lapilli/mpm/dynamics/solve_nodes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/mpm/dynamics/grid_boundaries.hpp"
@@ -137,6 +138,27 @@ void hold_nodes(DynamicsData<Dim>& data, double step, NodeSums& total) {
 }
 
 template <int Dim>
+void blend_nodes(DynamicsData<Dim>& data, double step) {
+  const double floor = data.empty_node, scale = -data.settings.blend_rate * step;
+  const Index first = data.nodes.first();
+  parallel_ranges(data.nodes.last() - first, [&](Index begin, Index end) {
+    const double* m = data.nodes.mass() + first;
+    double* fade = data.nodes.fade() + first;
+    for (Index node = begin; node < end; ++node) {
+      fade[node] = m[node] > floor ? -std::expm1(scale * fade[node] / m[node]) : 0.0;
+    }
+    for (int axis = 0; axis < Dim; ++axis) {
+      const double* velocity = data.nodes.velocity(axis) + first;
+      const double* increment = data.nodes.increment(axis) + first;
+      double* gain = data.nodes.gain(axis) + first;
+      for (Index node = begin; node < end; ++node) {
+        gain[node] = increment[node] + fade[node] * (velocity[node] - increment[node]);
+      }
+    }
+  });
+}
+
+template <int Dim>
 void divide_second_velocity(DynamicsData<Dim>& data) {
   const double floor = data.empty_node;
   const Index first = data.nodes.first();
@@ -181,6 +203,8 @@ template NodeSums accelerate_nodes<2>(DynamicsData<2>&, double);
 template NodeSums accelerate_nodes<3>(DynamicsData<3>&, double);
 template void hold_nodes<2>(DynamicsData<2>&, double, NodeSums&);
 template void hold_nodes<3>(DynamicsData<3>&, double, NodeSums&);
+template void blend_nodes<2>(DynamicsData<2>&, double);
+template void blend_nodes<3>(DynamicsData<3>&, double);
 template void divide_second_velocity<2>(DynamicsData<2>&);
 template void divide_second_velocity<3>(DynamicsData<3>&);
 template void hold_second_velocity<2>(DynamicsData<2>&);

@@ -25,6 +25,11 @@ NodeSums accelerate_nodes(DynamicsData<Dim>& data, double step);
 template <int Dim>
 void hold_nodes(DynamicsData<Dim>& data, double step, NodeSums& sums);
 
+/// What the solved nodes hand to points under the blend, once nothing changes their velocity any
+/// more: `fade` becomes a share, `gain` follows.
+template <int Dim>
+void blend_nodes(DynamicsData<Dim>& data, double step);
+
 /// Divide the momentum projected again by the mass (MUSL). Where points move with the mean velocity
 /// of the step, the nodal velocity becomes that.
 template <int Dim>

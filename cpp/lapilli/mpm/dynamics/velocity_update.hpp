@@ -13,7 +13,11 @@ namespace lapilli {
 
 /// Takes the velocity of points from the nodes. FLIP adds the interpolated increment and blends in
 /// a share of the nodal velocity each step; APIC and TPIC take the nodal velocity and their matrix;
-/// the blend adds increments of both and lets what they leave out fade with the strain of the step.
+/// the blend adds increments of both and lets what they leave out fade with the strain around it.
+///
+/// The blend takes from a point, V <- V - sum S f_I (V + C (x_I - x) - v_I) with the share f_I of
+/// every node: what points lose to a node sums to nothing, so that linear momentum is kept, whereas
+/// a share of the point's own would not keep it.
 template <int Dim, class Shape, VelocityTransfer transfer, bool with_gradient>
 class VelocityUpdate {
  public:
@@ -22,24 +26,33 @@ class VelocityUpdate {
   static constexpr bool increments = blended || !affine;
   static constexpr bool levered = affine && transfer != VelocityTransfer::tpic;
   static constexpr bool slopes = with_gradient || !(levered || transfer == VelocityTransfer::flip);
-  static constexpr int values = increments ? 2 * Dim : Dim;  // velocity, and increment
-  static constexpr int arrays = values + (slopes ? Dim : 0);
+
+  // Nodal arrays: velocity, increment, gain and fade, strain velocity.
+  static constexpr int own = increments ? 2 * Dim : Dim;
+  static constexpr int gain = own, fade = own + Dim;
+  static constexpr int strain = blended ? fade + 1 : own;
+  static constexpr int arrays = strain + (slopes ? Dim : 0);
   using Nodes = CellNodes<Dim, Shape, arrays>;
 
   VelocityUpdate(DynamicsData<Dim>& data, double step)
       : h_(data.grid.cell_size()),
-        share_(blended ? data.settings.blend_rate : data.settings.pic_fraction),
+        share_(data.settings.pic_fraction),
         step_(step),
         velocity_(data.velocity.data()),
         affine_(data.affine ? data.affine->data() : nullptr),
+        strain_rate_(data.strain_rate ? data.strain_rate->data() : nullptr),
         mass_(data.mass.data()) {
     for (int axis = 0; axis < Dim; ++axis) {
       from[axis] = data.nodes.velocity(axis);
       if constexpr (increments) {
         from[Dim + axis] = data.nodes.increment(axis);
       }
+      if constexpr (blended) {
+        from[gain + axis] = data.nodes.gain(axis);
+        from[fade] = data.nodes.fade();
+      }
       if constexpr (slopes) {
-        from[values + axis] = data.nodes.strain_velocity(axis);
+        from[strain + axis] = data.nodes.strain_velocity(axis);
       }
     }
   }
@@ -53,60 +66,34 @@ class VelocityUpdate {
   double operator()(Index row, const Nodes& nodes, const AxisWeights<Dim, Shape>& axes,
                     const SimdWeights<Dim, Shape>& w, double* carried, double* gradient,
                     double* here) const {
-    constexpr int first_gradient = values;
-    constexpr int first_lever = first_gradient + (slopes ? Dim * Dim : 0);
-    constexpr int used = first_lever + (levered ? values * Dim : 0);
-    constexpr int count = (used + 3) / 4 * 4;
-    Double4 parts[count];
-    for (int k = used; k < count; ++k) {
-      parts[k] = all(0.0);
-    }
-    for (int axis = 0; axis < values; ++axis) {
-      parts[axis] = nodes.weigh(axis, w.value);
-    }
-    if constexpr (slopes) {
-      for (int axis = 0; axis < Dim; ++axis) {
-        for (int along = 0; along < Dim; ++along) {
-          parts[first_gradient + axis * Dim + along] = nodes.weigh(values + axis, w.slope[along]);
-        }
-      }
-    }
-    if constexpr (levered) {
-      double factor[Dim][Shape::support];
-      levers(axes, h_, factor);
-      const SimdWeights<Dim, Shape> lever(axes.value, factor);
-      for (int axis = 0; axis < values; ++axis) {
-        for (int along = 0; along < Dim; ++along) {
-          parts[first_lever + axis * Dim + along] = nodes.weigh(axis, lever.slope[along]);
-        }
-      }
-    }
     alignas(32) double value[count];
-    add_lanes(parts, value);
-
+    weigh(nodes, axes, w, value);
     double square = 0.0;
-    double share = share_;
-    if constexpr (blended && affine) {
-      square = blend_affine(row, axes, value + first_lever, share, here);
-    } else if constexpr (blended) {
-      share = 1.0 - kept(Eigen::Map<const RowMajor>(value + first_gradient));
+    double* velocity = velocity_ + row * Dim;
+    if constexpr (blended) {
+      blend_velocity(row, value, velocity);
+      if constexpr (affine) {
+        square = blend_affine(row, axes, value, here);
+      } else {
+        strain_rate_[row] = rate_of(Eigen::Map<const RowMajor>(value + first_slope));
+      }
     } else if constexpr (affine) {
-      square = keep_affine(row, axes, value + (levered ? first_lever : first_gradient));
+      square = keep_affine(row, axes, value + (levered ? first_lever : first_slope));
       std::copy_n(affine_ + row * Dim * Dim, Dim * Dim, here);
     }
-    double* velocity = velocity_ + row * Dim;
     for (int axis = 0; axis < Dim; ++axis) {
-      carried[axis] = affine ? value[axis] : value[axis] - 0.5 * value[values - Dim + axis];
-      if constexpr (increments) {
-        velocity[axis] = (1.0 - share) * (velocity[axis] + value[Dim + axis]) + share * value[axis];
-      } else {
+      carried[axis] = affine ? value[axis] : value[axis] - 0.5 * value[Dim + axis];
+      if constexpr (!blended && increments) {
+        velocity[axis] =
+            (1.0 - share_) * (velocity[axis] + value[Dim + axis]) + share_ * value[axis];
+      } else if constexpr (!blended) {
         velocity[axis] = value[axis];
       }
       square += velocity[axis] * velocity[axis];
     }
     if constexpr (with_gradient) {
       for (int k = 0; k < Dim * Dim; ++k) {
-        gradient[k] = value[first_gradient + k];
+        gradient[k] = value[first_slope + k];
       }
     }
     return 0.5 * mass_[row] * square;
@@ -116,18 +103,69 @@ class VelocityUpdate {
   using Matrix = Eigen::Matrix<double, Dim, Dim>;
   using RowMajor = Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>;
 
-  /// What a point keeps of its own over a step in which its surroundings deform by `rate`: it does
-  /// not know the number of steps, nor flight or spin, nor the stiffness.
-  double kept(const Matrix& rate) const {
-    return std::exp(-share_ * step_ * (0.5 * (rate + rate.transpose())).norm());
+  // What is weighed for a point: arrays but the strain velocity, its slopes, levers of velocity and
+  // increment, levers of the fade.
+  static constexpr int first_slope = strain;
+  static constexpr int first_lever = first_slope + (slopes ? Dim * Dim : 0);
+  static constexpr int fade_lever = first_lever + (levered ? own * Dim : 0);
+  static constexpr int used = fade_lever + (blended && affine ? Dim : 0);
+  static constexpr int count = (used + 3) / 4 * 4;
+
+  void weigh(const Nodes& nodes, const AxisWeights<Dim, Shape>& axes,
+             const SimdWeights<Dim, Shape>& w, double (&value)[count]) const {
+    Double4 parts[count];
+    for (int k = used; k < count; ++k) {
+      parts[k] = all(0.0);
+    }
+    for (int array = 0; array < strain; ++array) {
+      parts[array] = nodes.weigh(array, w.value);
+    }
+    if constexpr (slopes) {
+      for (int axis = 0; axis < Dim; ++axis) {
+        for (int along = 0; along < Dim; ++along) {
+          parts[first_slope + axis * Dim + along] = nodes.weigh(strain + axis, w.slope[along]);
+        }
+      }
+    }
+    if constexpr (levered) {
+      double factor[Dim][Shape::support];
+      levers(axes, h_, factor);
+      const SimdWeights<Dim, Shape> lever(axes.value, factor);
+      for (int along = 0; along < Dim; ++along) {
+        for (int array = 0; array < own; ++array) {
+          parts[first_lever + array * Dim + along] = nodes.weigh(array, lever.slope[along]);
+        }
+        if constexpr (blended) {
+          parts[fade_lever + along] = nodes.weigh(fade, lever.slope[along]);
+        }
+      }
+    }
+    add_lanes(parts, value);
+  }
+
+  static double rate_of(const Matrix& gradient) {
+    return (0.5 * (gradient + gradient.transpose())).norm();
+  }
+
+  void blend_velocity(Index row, const double* value, double* velocity) const {
+    for (int axis = 0; axis < Dim; ++axis) {
+      double lost = value[fade] * velocity[axis];
+      if constexpr (affine) {
+        for (int along = 0; along < Dim; ++along) {
+          lost += affine_[(row * Dim + axis) * Dim + along] * value[fade_lever + along];
+        }
+      }
+      velocity[axis] += value[gain + axis] - lost;
+    }
   }
 
   /// C <- (C+ + keep (C - C-)) (1 + dt C+)^-1 with the nodes' matrices before and after the step;
-  /// the last factor carries the gradient with the deformation. Sets the share of the nodes, and
-  /// returns twice the kinetic energy of the matrix over the mass.
-  double blend_affine(Index row, const AxisWeights<Dim, Shape>& axes, const double* lever,
-                      double& share, double* here) const {
-    Eigen::Map<RowMajor> own(affine_ + row * Dim * Dim);
+  /// the last factor carries the gradient with the deformation. Returns twice the kinetic energy of
+  /// the matrix over the mass.
+  double blend_affine(Index row, const AxisWeights<Dim, Shape>& axes, const double* value,
+                      double* here) const {
+    Eigen::Map<RowMajor> stored(affine_ + row * Dim * Dim);
+    const double* lever = value + first_lever;
     Matrix after, change;
     double moment[Dim];
     for (int along = 0; along < Dim; ++along) {
@@ -138,15 +176,14 @@ class VelocityUpdate {
         change(axis, along) = lever[(Dim + axis) * Dim + along] * inverse;
       }
     }
-    const double keep = kept(after);
-    share = 1.0 - keep;
-    const Matrix blended_here = after + keep * (own - after + change);
-    Eigen::Map<RowMajor>{here} = blended_here;
+    strain_rate_[row] = rate_of(after);
+    const Matrix now = after + (1.0 - value[fade]) * (stored - after + change);
+    Eigen::Map<RowMajor>{here} = now;
     const Matrix carry = Matrix::Identity() + step_ * after;
-    own = blended_here * carry.inverse();
+    stored = now * carry.inverse();
     double square = 0.0;
     for (int along = 0; along < Dim; ++along) {
-      square += blended_here.col(along).squaredNorm() * moment[along];
+      square += now.col(along).squaredNorm() * moment[along];
     }
     return square;
   }
@@ -172,6 +209,7 @@ class VelocityUpdate {
   double h_, share_, step_;
   double* velocity_;
   double* affine_;
+  double* strain_rate_;
   const double* mass_;
 };
 
