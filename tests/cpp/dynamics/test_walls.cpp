@@ -53,8 +53,26 @@ TEST_CASE("a frictional wall slows a block by its coefficient times the force ac
 
 TEST_CASE("a frictional wall stops a block that is slow") {
   const auto run = thrown(0.0, [](Run<2>& r) { r.frictional(1, 0, 0.8); });
-  // 1 m/s would last 0.125 s; what trembles on is 0.09 m/s.
-  CHECK(std::abs(momentum_of(*run, 0)) < 0.15 * mass);
+  // 1 m/s would last 0.125 s. Nothing damps the shear vibration that is left, 0.19 s a period: the
+  // block stays on the mean.
+  const auto place = [&] {
+    double sum = 0.0;
+    for (Index row = 0; row < run->points.size(); ++row) {
+      sum += run->points.position<2>(row)[0];
+    }
+    return sum / static_cast<double>(run->points.size());
+  };
+  double early = 0.0, late = 0.0;
+  for (double* mean : {&early, &late}) {
+    const double begin = run->time;
+    while (run->time < begin + 0.19) {
+      const double step = run->automatic_step();
+      run->advance(step);
+      *mean += step * place() / 0.19;
+    }
+  }
+  CAPTURE((late - early) / 0.19);
+  CHECK(std::abs(late - early) / 0.19 < 0.01);
   CHECK(run->value("wall friction") > 0.3 * 0.5 * mass);
 }
 
@@ -65,7 +83,7 @@ TEST_CASE("a frictional wall lets a block part, a roller does not") {
   CHECK(lowest(*free) == Approx(0.025 + 4 * 0.5 - 0.5 * 10 * 0.25).epsilon(1e-9));
   const auto held = thrown(4.0, [](Run<2>& r) { r.roller(1, 0); });
   CHECK(lowest(*held) < 0.1);
-  CHECK(momentum_of(*held, 0) == Approx(mass).epsilon(0.02));  // it slides; 0.8 % by the blend
+  CHECK(momentum_of(*held, 0) == Approx(mass).epsilon(1e-12));  // it slides
 }
 
 TEST_CASE("a wall without slip holds a block along and across") {

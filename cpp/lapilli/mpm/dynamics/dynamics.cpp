@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/point_kernel.hpp"
@@ -84,7 +85,7 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   }
   speed_ = sums.speed;
   wave_speed_ = sums.wave_speed;
-  squeezing_ = (1.0 - sums.least_volume) / step.size;
+  strain_rate_ = std::sqrt(sums.strain) / step.size;
   watch_energy(sums);
   carry_points();
   return {.accepted = step.size};
@@ -173,25 +174,46 @@ void Dynamics<Dim>::watch_energy(const PointSums& sums) {
   }
 }
 
+/// Two over the highest frequency that the grid can have under USL, at most that of one point
+/// alone: c^2 sum |grad S|^2 / S, which is largest where its edge has just reached a node. MUSL
+/// damps it.
+template <int Dim>
+double Dynamics<Dim>::shaking_step() const {
+  if (data_.settings.stress_update == StressUpdate::musl || data_.shape == ShapeFunction::linear) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double narrowest = *std::ranges::min_element(data_.half_widths);
+  const double most = Dim * (2.0 / narrowest + 1.0 / (1.0 - narrowest));  // squared, in cells
+  return 2.0 * data_.grid.cell_size() / wave_speed_ / std::sqrt(most);
+}
+
 template <int Dim>
 StepLimit Dynamics<Dim>::step_limit() const {
   const double h = data_.grid.cell_size(), safety = data_.settings.courant;
   const double crossing = h / (wave_speed_ + speed_ + (obstacles_ ? obstacles_->speed() : 0.0));
   const double g = data_.gravity.norm();
-  if (g > 0.0 && std::sqrt(h / g) < crossing) {
-    const double fall = std::sqrt(h / g);
-    return {.hard = fall,
-            .automatic = safety * fall,
-            .reason = message("explicit dynamics: a gravity of ", g,
-                              " m/s^2 takes points across one cell of ", h, " m; safety ", safety)};
+  const double fall = g > 0.0 ? std::sqrt(h / g) : std::numeric_limits<double>::infinity();
+  // At the rate of the last step no point strains by more than a quarter in the next: what flows
+  // without change of volume would turn inside out as well.
+  const double straining =
+      strain_rate_ > 0.0 ? 0.25 / strain_rate_ : std::numeric_limits<double>::infinity();
+  const double shaking = shaking_step();
+  StepLimit limit{.hard = std::min(crossing, fall),
+                  .automatic = std::min({safety * crossing, safety * fall, straining, shaking}),
+                  .reason = {}};
+  if (limit.automatic == safety * crossing) {
+    limit.reason = message("explicit dynamics: a wave of ", wave_speed_, " m/s on points of ",
+                           speed_, " m/s may cross one cell of ", h, " m; safety ", safety);
+  } else if (limit.automatic == safety * fall) {
+    limit.reason = message("explicit dynamics: a gravity of ", g,
+                           " m/s^2 takes points across one cell of ", h, " m; safety ", safety);
+  } else if (limit.automatic == straining) {
+    limit.reason = message("explicit dynamics: points strain at ", strain_rate_, " 1/s");
+  } else {
+    limit.reason = message("explicit dynamics with usl: a wave of ", wave_speed_,
+                           " m/s shakes the nodes at the edge of a point");
   }
-  // A point that lost much of its volume in the last step loses a quarter at most in the next.
-  const double squeezing = squeezing_ > 0.0 ? 0.25 / squeezing_ : crossing;
-  return {.hard = crossing,
-          .automatic = std::min(safety * crossing, squeezing),
-          .reason = message("explicit dynamics: a wave of ", wave_speed_, " m/s on points of ",
-                            speed_, " m/s may cross one cell of ", h, " m; safety ", safety,
-                            squeezing < safety * crossing ? "; points lose volume fast" : "")};
+  return limit;
 }
 
 template <int Dim>

@@ -66,6 +66,7 @@ class Dynamics final : public Physics, public HasSurface, public Warnings {
   void stop_if_broken(const PointSums& sums) const;
   void watch_energy(const PointSums& sums);
   double energy_gained() const;
+  double shaking_step() const;
   double kinetic_energy() const;
   double potential_energy() const;
   double elastic_energy_stored() const;
@@ -81,7 +82,7 @@ class Dynamics final : public Physics, public HasSurface, public Warnings {
   Vec3 initial_momentum_ = Vec3::Zero();
   double speed_ = 0.0, wave_speed_ = 0.0;  // m/s, largest
   double ahead_ = 0.0;                     // J, of the strain before the force that answers it
-  double squeezing_ = 0.0;                 // 1/s, largest rate at which a point lost volume
+  double strain_rate_ = 0.0;               // 1/s, largest of a point
   double drift_ = 0.0;                     // m, since the points were sorted
   Index ordering_ = -1;
   std::vector<double> output_stress_, output_density_;

@@ -39,7 +39,7 @@ void Dynamics<Dim>::save(Archive& archive) const {
       flows_.plastic,      flows_.friction, flows_.strain,    flows_.impact,
       flows_.transfer,     initial_energy_, kinetic_,         speed_,
       wave_speed_,         drift_,          total_mass_,      flows_.expansion,
-      squeezing_,          watch_.stored(), watch_.largest(), ahead_,
+      strain_rate_,        watch_.stored(), watch_.largest(), ahead_,
       watch_.steps_above()};
   archive.write("dynamics/account", std::span<const double>(numbers));
   archive.write("dynamics/impulse/gravity", std::span<const double>(flows_.gravity.data(), 3));
@@ -92,7 +92,7 @@ void Dynamics<Dim>::load(const Archive& archive) {
   drift_ = numbers[9];
   total_mass_ = numbers[10];
   flows_.expansion = numbers[11];
-  squeezing_ = numbers[12];
+  strain_rate_ = numbers[12];
   watch_.restore(numbers[13], numbers[14], numbers[16]);
   ahead_ = numbers[15];
   archive.read("dynamics/impulse/gravity", std::span<double>(flows_.gravity.data(), 3));

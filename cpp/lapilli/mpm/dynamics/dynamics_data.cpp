@@ -125,6 +125,7 @@ PointSums& PointSums::operator+=(const PointSums& other) {
   expansion += other.expansion;
   speed = std::max(speed, other.speed);
   wave_speed = std::max(wave_speed, other.wave_speed);
+  strain = std::max(strain, other.strain);
   least_volume = std::min(least_volume, other.least_volume);
   outside = outside || other.outside;
   return *this;

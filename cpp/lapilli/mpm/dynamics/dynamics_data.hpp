@@ -104,6 +104,7 @@ struct PointSums {
   double expansion = 0.0;     // J given by the free strain of this step
   double speed = 0.0;         // m/s, largest of point and of its place
   double wave_speed = 0.0;    // m/s, largest
+  double strain = 0.0;        // largest square of a strain of this step
   double least_volume = 1.0;  // least determinant of the incremental deformation
   bool outside = false;       // a point left the grid, or is not finite
 

@@ -32,8 +32,10 @@ void store_rows(double* to, int stride, Double4 value) {
 /// Running sum, least and largest of rows, in a fixed order.
 struct Lanes {
   Double4 plastic = all(0.0), strain = all(0.0), ahead = all(0.0), expansion = all(0.0);
-  Double4 least = all(1.0), largest = all(0.0);
+  Double4 least = all(1.0), largest = all(0.0), most = all(0.0);
 
+  void add_strain(Double4 square) { most = square > most ? square : most; }
+  void add_strain(double square) { most[0] = std::max(square, most[0]); }
   void add(Double4 work, Double4 strain_work, Double4 ahead_work, Double4 volume, Double4 ratio) {
     plastic += work;
     strain += strain_work;
@@ -57,6 +59,7 @@ struct Lanes {
     sums.work_ahead = (ahead[0] + ahead[1]) + (ahead[2] + ahead[3]);
     sums.expansion = (expansion[0] + expansion[1]) + (expansion[2] + expansion[3]);
     sums.least_volume = std::min({least[0], least[1], least[2], least[3]});
+    sums.strain = std::max({most[0], most[1], most[2], most[3]});
     sums.wave_ratio = std::max({largest[0], largest[1], largest[2], largest[3]});
     return sums;
   }
@@ -190,6 +193,11 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
       store_rows(stress + c, components, s[c]);
       reached += s[c] * strain[c];
     }
+    Real square = strain[0] * strain[0] + strain[1] * strain[1] + strain[2] * strain[2];
+    for (int c = 3; c < components; ++c) {
+      square += 0.5 * strain[c] * strain[c];
+    }
+    lanes.add_strain(square);
     store(rows.volume + row, volume);
     if (rows.free_strain) {
       // Elastic energy that strain alone did not bring: the mean stress on the free strain.

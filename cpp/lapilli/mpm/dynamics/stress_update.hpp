@@ -38,6 +38,7 @@ struct StressSums {
   double work_ahead = 0.0;    // J, half the work of the stress reached on the strain
   double expansion = 0.0;     // J, given to the points by their free strain
   double least_volume = 1.0;  // least determinant of the incremental deformation
+  double strain = 0.0;        // largest square of a strain of the step
   double wave_ratio = 0.0;    // largest volume over mass, m^Dim/kg
 };
 

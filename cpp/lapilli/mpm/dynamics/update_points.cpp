@@ -54,6 +54,7 @@ void deform_block(DynamicsData<Dim>& data, const DeformationBlock<Dim>& block, I
     sums.strain_work += found.strain_work;
     sums.work_ahead += found.work_ahead;
     sums.expansion += found.expansion;
+    sums.strain = std::max(sums.strain, found.strain);
     sums.least_volume = std::min(sums.least_volume, found.least_volume);
     sums.wave_speed = std::max(sums.wave_speed, material.wave_modulus * found.wave_ratio);
     first = last;

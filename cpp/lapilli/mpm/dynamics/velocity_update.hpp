@@ -160,7 +160,7 @@ class VelocityUpdate {
   }
 
   /// C <- (C+ + keep (C - C-)) (1 + dt C+)^-1 with the nodes' matrices before and after the step;
-  /// the last factor carries the gradient with the deformation. Returns twice the kinetic energy of
+  /// the last factor carries the gradient with the motion. Returns twice the kinetic energy of
   /// the matrix over the mass.
   double blend_affine(Index row, const AxisWeights<Dim, Shape>& axes, const double* value,
                       double* here) const {
@@ -179,13 +179,21 @@ class VelocityUpdate {
     strain_rate_[row] = rate_of(after);
     const Matrix now = after + (1.0 - value[fade]) * (stored - after + change);
     Eigen::Map<RowMajor>{here} = now;
-    const Matrix carry = Matrix::Identity() + step_ * after;
-    stored = now * carry.inverse();
+    stored = carried_along(now, after);
     double square = 0.0;
     for (int along = 0; along < Dim; ++along) {
       square += now.col(along).squaredNorm() * moment[along];
     }
     return square;
+  }
+
+  /// The gradient where the point goes, C (1 + dt C+)^-1. What converges steepens; the reach of a
+  /// point does not shrink with it, so that a steeper gradient would be energy from nowhere.
+  Matrix carried_along(const Matrix& now, const Matrix& after) const {
+    const Matrix carry = Matrix::Identity() + step_ * after;
+    const Matrix there = now * carry.inverse();
+    const double had = now.squaredNorm(), has = there.squaredNorm();
+    return has > had ? Matrix(std::sqrt(had / has) * there) : there;
   }
 
   /// Store the affine matrix; returns twice its kinetic energy over the mass.
