@@ -25,15 +25,17 @@ std::unique_ptr<Run<2>> column(double aspect, double h, int per_axis, StressUpda
   return run;
 }
 
-/// As far as 99.5 % of the points have come: single points fly ahead of a collapse.
+/// As far as the heap reaches without a gap: the sand of every column of cells would lie at least a
+/// quarter of a cell deep at its first density. The laws leave out grains that roll ahead as well.
 double front(const Run<2>& run) {
-  std::vector<double> x;
+  const double h = run.problem.grid.cell_size(), density = 2000.0;
+  std::vector<double> depth(static_cast<std::size_t>(run.problem.grid.upper()[0] / h) + 2, 0.0);
   for (Index row = 0; row < run.points.size(); ++row) {
-    x.push_back(run.points.position<2>(row)[0]);
+    const auto column = static_cast<std::size_t>(run.points.position<2>(row)[0] / h);
+    depth[column] += run.solver->mass()[row] / density / h;
   }
-  const auto place = x.begin() + static_cast<std::ptrdiff_t>(0.995 * static_cast<double>(x.size()));
-  std::nth_element(x.begin(), place, x.end());
-  return *place;
+  const auto thin = std::ranges::find_if(depth, [&](double d) { return d < 0.25 * h; });
+  return h * static_cast<double>(thin - depth.begin());
 }
 
 /// Until the motion has died down: some times the time of fall.
@@ -60,13 +62,19 @@ TEST_CASE("a collapsing column closes its energy account") {
 
 TEST_CASE("run-out of a short column lies between the published laws") {
   // (d_inf - d_i) / d_i = 1.2 a (Lube et al. 2005) to 1.35 times that: the laws for the plane reach
-  // 1.8 a (Lajeunesse et al. 2005), and nothing but friction damps here.
+  // 1.8 a (Lajeunesse et al. 2005), and nothing but friction damps here. 1.4; 1.55 at half the
+  // cell.
   auto run = column(1.0, 0.1, 3, StressUpdate::musl);
   collapse(*run, 1.0);
   const double run_out = front(*run) - 1.0;
   CAPTURE(run_out);
-  CHECK(run_out > 1.2);
-  CHECK(run_out < 1.5 * 1.2);  // 1.62 here, 1.76 at half the cell
+  CHECK(run_out > 0.99 * 1.2);
+  CHECK(run_out < 1.35 * 1.2);
+  double volume = 0.0;
+  for (Index row = 0; row < run->points.size(); ++row) {
+    volume += run->points.volume()[row];
+  }
+  CHECK(volume < 1.13);  // of 1: what flies apart closes again where it lands; 1.16 did not
 }
 
 TEST_CASE("run-out over aspect ratio and cell size", "[.slow]") {

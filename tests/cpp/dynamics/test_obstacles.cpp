@@ -116,7 +116,7 @@ TEST_CASE("a block slides with Coulomb friction at any angle to the grid") {
       // Lower than long, or it would rock on its leading edge.
       auto run = block(
           plane, rough(friction), 0.0,
-          [&](const Vec3&) { return Vec3(4 * plane.along[0], 4 * plane.along[1], 0); }, 2);
+          [&](const Vec3&) { return Vec3(4 * plane.along[0], 4 * plane.along[1], 0); }, 4);
       // 35 degrees steeper than the friction of 0.6 holds.
       const double slope = 35 * std::numbers::pi / 180;
       const Vec<2> pull = g * (std::sin(slope) * plane.along - std::cos(slope) * plane.normal);
@@ -128,7 +128,7 @@ TEST_CASE("a block slides with Coulomb friction at any angle to the grid") {
       const double found = (mean_velocity(*run).dot(plane.along) - before) / (run->time - then);
       const double exact = g * (std::sin(slope) - friction * std::cos(slope));
       CAPTURE(degrees, friction, found, exact, deepest(*run, plane));
-      CHECK(std::abs(found - exact) < (friction < 0.5 ? 0.005 : 0.02) * g);
+      CHECK(std::abs(found - exact) < 0.005 * g);  // 0.0021; 0.03 where it chatters
       CHECK(deepest(*run, plane) < 0.0);
     }
   }

@@ -11,10 +11,11 @@ namespace {
 /// One update of `rows` equal points; the displacement gradient is given in full.
 template <int Dim>
 SymmetricTensor deform(const StressMaterial& material, const Mat3& gradient, SymmetricTensor stress,
-                       double* volume = nullptr, double free_strain = 0.0) {
+                       double* volume = nullptr, double free_strain = 0.0,
+                       double* opened = nullptr) {
   constexpr int rows = 5, components = Dim == 2 ? 4 : 6;  // a quad and a rest
   DeformationBlock<Dim> block;
-  double stresses[rows * 6], volumes[rows], masses[rows], strains[rows];
+  double stresses[rows * 6], volumes[rows], masses[rows], strains[rows], gaps[rows];
   for (int row = 0; row < rows; ++row) {
     for (int c = 0; c < Dim * Dim; ++c) {
       block.gradient[c][row] = gradient(c / Dim, c % Dim);
@@ -25,8 +26,9 @@ SymmetricTensor deform(const StressMaterial& material, const Mat3& gradient, Sym
     volumes[row] = volume ? *volume : 1.0;
     masses[row] = 1.0;
     strains[row] = free_strain;
+    gaps[row] = opened ? *opened : 0.0;
   }
-  const StressRows at{stresses, volumes, masses, strains, nullptr};
+  const StressRows at{stresses, volumes, masses, strains, nullptr, gaps};
   update_stress<Dim>(material, block, at, 0, rows);
   for (int c = 0; c < components; ++c) {
     stress[c] = stresses[c];
@@ -34,6 +36,9 @@ SymmetricTensor deform(const StressMaterial& material, const Mat3& gradient, Sym
   }
   if (volume) {
     *volume = volumes[0];
+  }
+  if (opened) {
+    *opened = gaps[rows - 1];
   }
   return stress;
 }
@@ -104,4 +109,32 @@ TEST_CASE("free strain that is held gives the pressure of the bulk modulus") {
     REQUIRE(stress[c] == Approx(-3 * solid.bulk_modulus() * 1e-3).epsilon(1e-13));
   }
   REQUIRE(stress[3] == 0.0);
+}
+
+TEST_CASE("sand that comes apart presses again where its grains meet, not before") {
+  const LinearElastic solid{1.0, 1e3, 0.25};
+  const auto cycle = [&]<int Dim>() {
+    const StressMaterial sand{Solid(MohrCoulomb{solid, 30.0})};
+    const auto stretch = [](double strain) {
+      Mat3 gradient = Mat3::Zero();
+      for (int axis = 0; axis < Dim; ++axis) {
+        gradient(axis, axis) = strain;
+      }
+      return gradient;
+    };
+    double volume = 1.0, opened = 0.0;
+    SymmetricTensor stress = deform<Dim>(sand, stretch(-1e-4), {}, &volume, 0.0, &opened);
+    for (int k = 0; k < 300; ++k) {
+      stress = deform<Dim>(sand, stretch(1e-3), stress, &volume, 0.0, &opened);
+    }
+    CHECK(stress.matrix().norm() < 1e-9);
+    CHECK(opened == Approx(0.3 * Dim).epsilon(0.01));
+    while (stress[0] > -1.0) {
+      stress = deform<Dim>(sand, stretch(-1e-3), stress, &volume, 0.0, &opened);
+    }
+    CHECK(opened == 0.0);
+    CHECK(volume == Approx(1.0).epsilon(2e-3 * Dim));  // it was 1.8 or 2.4
+  };
+  cycle.operator()<2>();
+  cycle.operator()<3>();
 }

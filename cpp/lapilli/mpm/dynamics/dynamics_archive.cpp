@@ -16,6 +16,9 @@ void Dynamics<Dim>::save(Archive& archive) const {
     keep("affine", *data_.affine);
     keep("carried", *data_.carried);
   }
+  if (data_.opened) {
+    keep("opened", *data_.opened);
+  }
   if (data_.strain_rate) {
     keep("strain_rate", *data_.strain_rate);
   }
@@ -58,6 +61,9 @@ void Dynamics<Dim>::load(const Archive& archive) {
   if (data_.affine) {
     fetch("affine", *data_.affine);
     fetch("carried", *data_.carried);
+  }
+  if (data_.opened) {
+    fetch("opened", *data_.opened);
   }
   if (data_.strain_rate) {
     fetch("strain_rate", *data_.strain_rate);

@@ -85,6 +85,9 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
     affine = std::make_unique<PointArray>(points, Dim * Dim);
     carried = std::make_unique<PointArray>(points, Dim);
   }
+  if (std::ranges::any_of(materials, [](const auto& one) { return one.yield.has_value(); })) {
+    opened = std::make_unique<PointArray>(points, 1);
+  }
   if (nodes.fades()) {
     strain_rate = std::make_unique<PointArray>(points, 1);
   }

@@ -81,6 +81,7 @@ struct DynamicsData {
   PointArray stress;                        // Pa; xx yy zz xy, and yz xz in 3D
   std::unique_ptr<PointArray> affine;       // gradient, 1/s; APIC: sum v (x_I - x) S, m2/s
   std::unique_ptr<PointArray> carried;      // m/s, what moved the point last; with `affine`
+  std::unique_ptr<PointArray> opened;       // volume strain between grains that have parted; soil
   std::unique_ptr<PointArray> strain_rate;  // 1/s, of the nodes around it, last; blended_apic
   std::unique_ptr<PointArray> deformation;  // incremental deformation gradient minus one, on demand
   std::unique_ptr<PointArray> plastic;      // J dissipated since last taken, on demand

@@ -67,14 +67,25 @@ struct Lanes {
 
 /// Turned stress plus the elastic stress of the step. `strain` takes what its double contraction
 /// with a stress needs: shear twice.
+/// What has come apart closes first, without stress: grains that have flown do not press on each
+/// other before they touch. (The volume correction of Tampubolon et al. 2017, ACM TOG 36:105.)
 template <class Real>
-Real deform(const StressMaterial& m, const DeformationBlock<2>& block, int row, Real free_strain,
-            Real (&s)[4], Real (&strain)[4]) {
+void close_gap(Real trace, Real& opened, Real& free_strain) {
+  const Real squeezed = -trace < opened ? -trace : opened;
+  const Real closing = squeezed > 0.0 ? squeezed : as<Real>(0.0);
+  opened -= closing;
+  free_strain -= closing * (1.0 / 3.0);
+}
+
+template <class Real>
+Real deform(const StressMaterial& m, const DeformationBlock<2>& block, int row, Real& opened,
+            Real& free_strain, Real (&s)[4], Real (&strain)[4]) {
   const PlaneDeformation<Real> step(
       load<Real>(&block.gradient[0][row]), load<Real>(&block.gradient[1][row]),
       load<Real>(&block.gradient[2][row]), load<Real>(&block.gradient[3][row]));
   step.rotate(s[0], s[1], s[3]);
   const double twice = 2.0 * m.shear_modulus;
+  close_gap(step.xx + step.yy, opened, free_strain);
   const Real mean = m.lambda * (step.xx + step.yy) - (3.0 * m.lambda + twice) * free_strain;
   s[0] += mean + twice * step.xx;
   s[1] += mean + twice * step.yy;
@@ -88,8 +99,8 @@ Real deform(const StressMaterial& m, const DeformationBlock<2>& block, int row, 
 }
 
 template <class Real>
-Real deform(const StressMaterial& m, const DeformationBlock<3>& block, int row, Real free_strain,
-            Real (&s)[6], Real (&strain)[6]) {
+Real deform(const StressMaterial& m, const DeformationBlock<3>& block, int row, Real& opened,
+            Real& free_strain, Real (&s)[6], Real (&strain)[6]) {
   Real a[9];
   for (int c = 0; c < 9; ++c) {
     a[c] = load<Real>(&block.gradient[c][row]);
@@ -97,6 +108,7 @@ Real deform(const StressMaterial& m, const DeformationBlock<3>& block, int row, 
   const SpaceDeformation<Real> step(a);
   step.rotate(s);
   const double twice = 2.0 * m.shear_modulus;
+  close_gap(step.strain[0] + step.strain[1] + step.strain[2], opened, free_strain);
   const Real mean = m.lambda * (step.strain[0] + step.strain[1] + step.strain[2]) -
                     (3.0 * m.lambda + twice) * free_strain;
   for (int c = 0; c < 3; ++c) {
@@ -154,6 +166,17 @@ Real dissipation(const StressMaterial& m, const Real (&trial)[components],
   return (normal + 2.0 * shear) * (0.5 / m.shear_modulus);
 }
 
+/// Volume strain that opens where nothing holds a point together: all of its principal stresses are
+/// at what it bears in tension.
+template <class Real, int components>
+Real parted(const StressMaterial& m, const Real (&trial)[components], const Real (&s)[components]) {
+  const double bulk = 3.0 * m.lambda + 2.0 * m.shear_modulus;
+  const Real trace = s[0] + s[1] + s[2];
+  const Real strain = (trial[0] + trial[1] + trial[2] - trace) * (1.0 / bulk);
+  const Real opening = strain > 0.0 ? strain : as<Real>(0.0);
+  return trace >= 3.0 * m.yield->tension3 - 1e-12 * bulk ? opening : as<Real>(0.0);
+}
+
 template <int Dim, bool yields>
 StressSums update_rows(const StressMaterial& material, const DeformationBlock<Dim>& block,
                        const StressRows& rows, int begin, int end) {
@@ -166,10 +189,14 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
     for (int c = 0; c < components; ++c) {
       s[c] = load_rows<Real>(stress + c, components);
     }
-    const Real free_strain = rows.free_strain ? load<Real>(rows.free_strain + row) : as<Real>(0.0);
+    const Real given = rows.free_strain ? load<Real>(rows.free_strain + row) : as<Real>(0.0);
+    Real free_strain = given, opened = as<Real>(0.0);
+    if constexpr (yields) {
+      opened = load<Real>(rows.opened + row);
+    }
     const Real trace = s[0] + s[1] + s[2];  // no rotation changes it
     Real strain[components];
-    const Real growth = deform(m, block, row, free_strain, s, strain);
+    const Real growth = deform(m, block, row, opened, free_strain, s, strain);
     const Real before = load<Real>(rows.volume + row);
     const Real volume = before * growth;
     const Real strained = contract(m, s, strain, free_strain);
@@ -184,6 +211,7 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
       };
       return_one(sorted, s);
       work = volume * dissipation(m, trial, s);
+      store(rows.opened + row, opened + parted(m, trial, s));
       if (rows.plastic) {
         store(rows.plastic + row, load<Real>(rows.plastic + row) + work);
       }
@@ -201,7 +229,7 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
     store(rows.volume + row, volume);
     if (rows.free_strain) {
       // Elastic energy that strain alone did not bring: the mean stress on the free strain.
-      lanes.add_expansion(-0.25 * (before + volume) * (trace + s[0] + s[1] + s[2]) * free_strain);
+      lanes.add_expansion(-0.25 * (before + volume) * (trace + s[0] + s[1] + s[2]) * given);
     }
     lanes.add(work, 0.25 * (before + volume) * (strained + reached), 0.5 * volume * reached, growth,
               volume / load<Real>(rows.mass + row));

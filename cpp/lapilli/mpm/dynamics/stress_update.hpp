@@ -30,6 +30,7 @@ struct StressRows {
   const double* mass;         // kg
   const double* free_strain;  // isotropic, or null
   double* plastic;            // J, added to, or null
+  double* opened;             // volume strain to close before it bears pressure; soil only
 };
 
 struct StressSums {

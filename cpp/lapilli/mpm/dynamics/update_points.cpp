@@ -38,10 +38,12 @@ template <int Dim>
 void deform_block(DynamicsData<Dim>& data, const DeformationBlock<Dim>& block, Index begin,
                   int rows, PointSums& sums) {
   constexpr int components = DynamicsData<Dim>::stress_components;
-  const StressRows at{data.stress.data() + begin * components, data.points.volume().data() + begin,
+  const StressRows at{data.stress.data() + begin * components,
+                      data.points.volume().data() + begin,
                       data.mass.data() + begin,
                       data.free_strain ? data.free_strain->data() + begin : nullptr,
-                      data.plastic ? data.plastic->data() + begin : nullptr};
+                      data.plastic ? data.plastic->data() + begin : nullptr,
+                      data.opened ? data.opened->data() + begin : nullptr};
   const Index* body = data.points.body().data() + begin;
   for (int first = 0; first < rows;) {
     int last = first + 1;

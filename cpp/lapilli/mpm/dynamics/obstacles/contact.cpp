@@ -60,7 +60,8 @@ Vec<Dim> improve(Contact<Dim>& contact, double friction, double* const (&velocit
   contact.push = std::max(0.0, contact.push + contact.mass * (contact.bound - normal));
   contact.drag -= contact.mass * (relative - normal * contact.normal);
   contact.drag -= contact.drag.dot(contact.normal) * contact.normal;
-  const double limit = contact.push > 0.0 ? friction * contact.push + contact.grip : 0.0;
+  const double felt = contact.felt();
+  const double limit = felt > 0.0 ? friction * felt + contact.grip : 0.0;
   const double drag = contact.drag.norm();
   if (drag > limit) {
     contact.drag *= limit / drag;

@@ -21,11 +21,15 @@ struct Contact {
   double weight[corners];                // linear functions at the foot; their sum is 1
   double mass = 0.0;                     // kg, that an impulse here meets
   double push = 0.0;                     // N s along the normal
+  double past = -1.0;                    // N s, push that friction has felt so far; below 0: none
+  double share = 1.0;                    // of the present push in what friction feels
   Vec<Dim> drag = Vec<Dim>::Zero();      // N s along the surface
   Vec<Dim> start = Vec<Dim>::Zero();     // m/s at the foot, before the step
   Vec<Dim> approach = Vec<Dim>::Zero();  // m/s, after the forces and before any impulse
 
   Vec<Dim> impulse() const { return push * normal + drag; }
+  /// N s, the push that bounds friction.
+  double felt() const { return past < 0.0 ? push : past + share * (push - past); }
 
   /// A nodal quantity at the foot.
   Vec<Dim> at_foot(double* const (&nodal)[Dim]) const {

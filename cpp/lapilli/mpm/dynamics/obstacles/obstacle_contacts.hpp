@@ -54,8 +54,8 @@ class ObstacleContacts {
   Index touching() const;                           // contacts that push
 
  private:
-  // Of a point: clearance, the step it belongs to, and both impulses (push, drag).
-  static constexpr int stamp = 1, first = 2, second = 3 + Dim, kept = 4 + 2 * Dim;
+  // Of a point: clearance, the step it belongs to, and both impulses (push, drag, felt).
+  static constexpr int stamp = 1, first = 2, second = 4 + Dim, kept = 6 + 2 * Dim;
 
   double clearance(const Vec3& x) const { return distance(obstacle_.shape, motion_.reference(x)); }
   bool place_on_nodes(const DynamicsData<Dim>& data, Contact<Dim>& contact) const;
@@ -68,6 +68,7 @@ class ObstacleContacts {
   Obstacle obstacle_;
   std::string name_;
   std::vector<double> radii_;
+  std::vector<double> lags_;  // s, by body: what friction needs to feel a change of the push
   RigidMotion motion_;
   double reach_ = 0.0;     // m, from the centre of turning to the farthest surface
   double friction_ = 0.0;  // infinite without slip
