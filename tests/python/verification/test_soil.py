@@ -61,8 +61,13 @@ def test_run_out_of_the_example_lies_in_the_band_of_the_laws():
     without numerical damping the continuum overruns the sand it is compared with."""
     simulation = lp.Simulation(example("soil/collapse"))
     simulation.run_until(2.0)
-    run_out = np.quantile(simulation["position"][:, 0], 0.995) - 1.0  # 1.48 to 1.62
-    assert 1.0 <= run_out / LUBE_2005.run_out(1.0) <= 1.5  # 1.47
+    # As far as the sand, at its first density, lies a quarter of a cell deep without a gap: the
+    # laws leave out grains that roll ahead.
+    cell = simulation.scene.grid.cell
+    x, area = simulation["position"][:, 0], simulation["volume"] * simulation["density"] / 2000.0
+    depth = np.bincount((x / cell).astype(int), area / cell)
+    run_out = cell * np.append(np.flatnonzero(depth < 0.25 * cell), len(depth))[0] - 1.0
+    assert 0.99 <= run_out / LUBE_2005.run_out(1.0) <= 1.35
     energy = simulation.balance()[0]
     assert energy.quantity == "energy"
     assert abs(energy.residual) < 0.01
