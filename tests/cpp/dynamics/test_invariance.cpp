@@ -185,7 +185,9 @@ TEST_CASE("scattered points do not shake light nodes at the automatic step, howe
           run->advance(run->automatic_step());
         }
         CAPTURE(name_of(update), per_axis, poisson, run->value("energy gained") / start);
-        CHECK(run->value("kinetic energy") + run->value("elastic energy") < 1.01 * start);
+        CHECK(run->value("energy gained") < 0.01 * start);
+        // Strain is half a step ahead: 8 % where next to nothing is compressible.
+        CHECK(run->value("kinetic energy") + run->value("elastic energy") < 1.2 * start);
       }
     }
   }

@@ -59,11 +59,12 @@ def test_a_block_falls_freely():
 def test_run_out_of_the_example_lies_in_the_band_of_the_laws():
     """(d_inf - d_i)/d_i of an aspect of 1 between 1.2 (Lube et al. 2005) and 1.35 times that:
     without numerical damping the continuum overruns the sand it is compared with."""
-    simulation = lp.Simulation(example("soil/collapse"))
+    scene = example("soil/collapse")
+    simulation = lp.Simulation(scene)
     simulation.run_until(2.0)
     # As far as the sand, at its first density, lies a quarter of a cell deep without a gap: the
     # laws leave out grains that roll ahead.
-    cell = simulation.scene.grid.cell
+    cell = scene.grid.cell
     x, area = simulation["position"][:, 0], simulation["volume"] * simulation["density"] / 2000.0
     depth = np.bincount((x / cell).astype(int), area / cell)
     run_out = cell * np.append(np.flatnonzero(depth < 0.25 * cell), len(depth))[0] - 1.0

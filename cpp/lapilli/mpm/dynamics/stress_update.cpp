@@ -67,25 +67,14 @@ struct Lanes {
 
 /// Turned stress plus the elastic stress of the step. `strain` takes what its double contraction
 /// with a stress needs: shear twice.
-/// What has come apart closes first, without stress: grains that have flown do not press on each
-/// other before they touch. (The volume correction of Tampubolon et al. 2017, ACM TOG 36:105.)
 template <class Real>
-void close_gap(Real trace, Real& opened, Real& free_strain) {
-  const Real squeezed = -trace < opened ? -trace : opened;
-  const Real closing = squeezed > 0.0 ? squeezed : as<Real>(0.0);
-  opened -= closing;
-  free_strain -= closing * (1.0 / 3.0);
-}
-
-template <class Real>
-Real deform(const StressMaterial& m, const DeformationBlock<2>& block, int row, Real& opened,
-            Real& free_strain, Real (&s)[4], Real (&strain)[4]) {
+Real deform(const StressMaterial& m, const DeformationBlock<2>& block, int row, Real free_strain,
+            Real (&s)[4], Real (&strain)[4]) {
   const PlaneDeformation<Real> step(
       load<Real>(&block.gradient[0][row]), load<Real>(&block.gradient[1][row]),
       load<Real>(&block.gradient[2][row]), load<Real>(&block.gradient[3][row]));
   step.rotate(s[0], s[1], s[3]);
   const double twice = 2.0 * m.shear_modulus;
-  close_gap(step.xx + step.yy, opened, free_strain);
   const Real mean = m.lambda * (step.xx + step.yy) - (3.0 * m.lambda + twice) * free_strain;
   s[0] += mean + twice * step.xx;
   s[1] += mean + twice * step.yy;
@@ -99,8 +88,8 @@ Real deform(const StressMaterial& m, const DeformationBlock<2>& block, int row, 
 }
 
 template <class Real>
-Real deform(const StressMaterial& m, const DeformationBlock<3>& block, int row, Real& opened,
-            Real& free_strain, Real (&s)[6], Real (&strain)[6]) {
+Real deform(const StressMaterial& m, const DeformationBlock<3>& block, int row, Real free_strain,
+            Real (&s)[6], Real (&strain)[6]) {
   Real a[9];
   for (int c = 0; c < 9; ++c) {
     a[c] = load<Real>(&block.gradient[c][row]);
@@ -108,7 +97,6 @@ Real deform(const StressMaterial& m, const DeformationBlock<3>& block, int row, 
   const SpaceDeformation<Real> step(a);
   step.rotate(s);
   const double twice = 2.0 * m.shear_modulus;
-  close_gap(step.strain[0] + step.strain[1] + step.strain[2], opened, free_strain);
   const Real mean = m.lambda * (step.strain[0] + step.strain[1] + step.strain[2]) -
                     (3.0 * m.lambda + twice) * free_strain;
   for (int c = 0; c < 3; ++c) {
@@ -166,6 +154,23 @@ Real dissipation(const StressMaterial& m, const Real (&trial)[components],
   return (normal + 2.0 * shear) * (0.5 / m.shear_modulus);
 }
 
+/// What has come apart closes first, without stress: grains that have flown do not press on each
+/// other before they touch. (The volume correction of Tampubolon et al. 2017, ACM TOG 36:105.)
+template <class Real, int components>
+void close_gap(const StressMaterial& m, const Real (&strain)[components], Real& opened,
+               Real& free_strain, Real (&s)[components]) {
+  const Real squeezing = -(strain[0] + strain[1] + strain[2]);
+  const Real least = squeezing < opened ? squeezing : opened;
+  const Real closing = least > 0.0 ? least : as<Real>(0.0);
+  const Real third = closing * (1.0 / 3.0);
+  opened -= closing;
+  free_strain -= third;
+  const Real pressure = (3.0 * m.lambda + 2.0 * m.shear_modulus) * third;
+  s[0] += pressure;
+  s[1] += pressure;
+  s[2] += pressure;
+}
+
 /// Volume strain that opens where nothing holds a point together: all of its principal stresses are
 /// at what it bears in tension.
 template <class Real, int components>
@@ -190,13 +195,15 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
       s[c] = load_rows<Real>(stress + c, components);
     }
     const Real given = rows.free_strain ? load<Real>(rows.free_strain + row) : as<Real>(0.0);
-    Real free_strain = given, opened = as<Real>(0.0);
-    if constexpr (yields) {
-      opened = load<Real>(rows.opened + row);
-    }
+    Real free_strain = given;
     const Real trace = s[0] + s[1] + s[2];  // no rotation changes it
     Real strain[components];
-    const Real growth = deform(m, block, row, opened, free_strain, s, strain);
+    const Real growth = deform(m, block, row, given, s, strain);
+    Real opened = as<Real>(0.0);
+    if constexpr (yields) {
+      opened = load<Real>(rows.opened + row);
+      close_gap(m, strain, opened, free_strain, s);
+    }
     const Real before = load<Real>(rows.volume + row);
     const Real volume = before * growth;
     const Real strained = contract(m, s, strain, free_strain);

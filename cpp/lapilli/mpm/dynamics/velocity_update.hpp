@@ -188,12 +188,25 @@ class VelocityUpdate {
   }
 
   /// The gradient where the point goes, C (1 + dt C+)^-1. What converges steepens; the reach of a
-  /// point does not shrink with it, so that a steeper gradient would be energy from nowhere.
+  /// point does not shrink with it, so that a faster strain would be energy from nowhere. What a
+  /// spin needs to stay one, dt |W|^2, is allowed. The spin itself is left alone but where a step
+  /// strains by more than elastic solids do: limited in every vibration, it would fade.
   Matrix carried_along(const Matrix& now, const Matrix& after) const {
     const Matrix carry = Matrix::Identity() + step_ * after;
     const Matrix there = now * carry.inverse();
-    const double had = now.squaredNorm(), has = there.squaredNorm();
-    return has > had ? Matrix(std::sqrt(had / has) * there) : there;
+    const Matrix deforming = 0.5 * (there + there.transpose());
+    const double spin = (0.5 * (now - now.transpose())).squaredNorm();
+    const double allowed = rate_of(now) + step_ * spin, found = deforming.norm();
+    Matrix limited = there;
+    if (found > allowed) {
+      limited -= (1.0 - allowed / found) * deforming;
+    }
+    constexpr double elastic_strain = 0.01;
+    const double had = now.squaredNorm(), has = limited.squaredNorm();
+    if (has > had && step_ * rate_of(after) > elastic_strain) {
+      limited *= std::sqrt(had / has);
+    }
+    return limited;
   }
 
   /// Store the affine matrix; returns twice its kinetic energy over the mass.
