@@ -1420,7 +1420,7 @@ class Heat:
     Parameters
     ----------
     method : typing.Literal['virtual', 'paper', 'particle', 'node'], default 'virtual'
-        how flux laws reach the nodes
+        how fluxes reach the nodes
     transfer : typing.Literal['auto', 'nodal', 'affine', 'flip', 'pic', 'tpic'], default 'auto'
         what points and nodes hand each other
     time_integration : typing.Literal['explicit', 'implicit'], default 'explicit'
@@ -1442,7 +1442,7 @@ class Heat:
     corner_fit : bool, default True
         give sharp corners their whole area
     boundaries : list[Flux | Convection | Radiation | PrescribedTemperature], default []
-        flux laws and held temperatures; the first region that covers a place wins
+        fluxes and prescribed temperatures; the first region that covers a place wins
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
     __signature__: typing.ClassVar[inspect.Signature]
@@ -1469,7 +1469,7 @@ class Heat:
     @property
     def boundaries(self) -> list[Flux | Convection | Radiation | PrescribedTemperature]:
         """
-        flux laws and held temperatures; the first region that covers a place wins
+        fluxes and prescribed temperatures; the first region that covers a place wins
         """
     @boundaries.setter
     def boundaries(self, value: list[Flux | Convection | Radiation | PrescribedTemperature]) -> None:
@@ -1493,7 +1493,7 @@ class Heat:
     @property
     def method(self) -> typing.Literal['virtual', 'paper', 'particle', 'node']:
         """
-        how flux laws reach the nodes
+        how fluxes reach the nodes
         """
     @method.setter
     def method(self, value: typing.Literal['virtual', 'paper', 'particle', 'node']) -> None:
@@ -2936,7 +2936,7 @@ class PeridynamicHeat:
     Parameters
     ----------
     horizon : float, default 0.0
-        thermal horizon, in spacings, above 1; 0: 1.2 for points at rest on a lattice that their surface follows, otherwise 1.515; from 0 to 10
+        thermal horizon, in spacings, above 1; 0: 1.2 for points at rest on a lattice that their surface follows, 2.015 for points that flow, otherwise 1.515; from 0 to 10
     influence : typing.Literal['gaussian', 'unity', 'spline'], default 'gaussian'
         weight of a bond by its length
     laplacian : typing.Literal['literal', 'zero-energy', 'compact', 'corrected'], default 'corrected'
@@ -2967,7 +2967,7 @@ class PeridynamicHeat:
     @property
     def horizon(self) -> float:
         """
-        thermal horizon, in spacings, above 1; 0: 1.2 for points at rest on a lattice that their surface follows, otherwise 1.515
+        thermal horizon, in spacings, above 1; 0: 1.2 for points at rest on a lattice that their surface follows, 2.015 for points that flow, otherwise 1.515
         """
     @horizon.setter
     def horizon(self, value: float) -> None:

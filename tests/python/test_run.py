@@ -84,7 +84,8 @@ def test_a_function_is_called_with_whole_arrays(ring: lp.Scene) -> None:
     constant = lp.run(ring, progress=False)["temperature"].copy()
     ring.heat.boundaries[0].ambient = ambient
     function = lp.run(ring, progress=False)["temperature"]
-    np.testing.assert_allclose(function, constant, rtol=1e-12, atol=1e-13)
+    # The exchange of a constant coefficient and ambient is centred in the step, others are not.
+    np.testing.assert_allclose(function, constant, atol=3e-3)
     (rows, columns), states, _ = calls[-1]
     assert columns == 3
     assert states == (rows,)

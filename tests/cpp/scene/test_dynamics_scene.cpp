@@ -92,8 +92,9 @@ TEST_CASE("a scene allocates the fields of its physics and no others") {
   using Names = std::set<std::string>;
   // The blended transfer keeps a gradient of the velocity, and the velocity that moved a point
   // last.
-  const Names of_dynamics{"dynamics/mass", "dynamics/velocity", "dynamics/stress",
-                          "dynamics/affine", "dynamics/carried"};
+  const Names of_dynamics{"dynamics/mass",       "dynamics/velocity", "dynamics/stress",
+                          "dynamics/affine",     "dynamics/carried",  "dynamics/opened",
+                          "dynamics/strain_rate"};
   CHECK(point_arrays(text_of_parts({start, soil, dynamics, end})) == of_dynamics);
   Names of_heat = point_arrays(text_of_parts({start, warm, heat, end}));
   for (const std::string& name : of_heat) {

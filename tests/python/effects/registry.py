@@ -67,7 +67,16 @@ EFFECTS: dict[str, Effect] = {
         v.flux_disk, "bodies[0].material.specific_heat", 1, 2, mean("temperature"), "<"
     ),
     "Thermal.conductivity": Effect(
-        v.auto_disk, "bodies[0].material.conductivity", 1, 2, step_size, "x", 0.5, 1e-6, steps=False
+        # exchange with the surroundings is in the fastest rate as well
+        v.auto_disk,
+        "bodies[0].material.conductivity",
+        1,
+        2,
+        step_size,
+        "x",
+        0.5,
+        0.06,
+        steps=False,
     ),
     "Elastic.density": Effect(F, "bodies[0].material.density", 1000, 2000, VELOCITY, "!="),
     "Elastic.youngs_modulus": Effect(

@@ -153,3 +153,46 @@ def test_drawn_bodies_take_up_their_heat(seed):
     assert np.sqrt(np.mean((simulation["temperature"] - field) ** 2)) <= bar, about
     assert low >= -0.02, about
     assert high <= 1.02, about
+
+
+@pytest.mark.parametrize("degrees", [0.0, 20.0, 45.0])
+@pytest.mark.parametrize("ratio", [0.1, 2.0, 10.0])
+def test_layers_in_series_conduct_as_they_should(degrees: float, ratio: float):
+    """Two bars end to end, the interface anywhere in its cells: flux of the exact resistances within
+    2 % (.8 % at 20, 1.5 % at 45 degrees; it was 5 % with functions that have no kink)."""
+    first, second, height, cell = 0.43, 0.57, 0.5, 0.05
+    thin = 1e-3 * cell
+
+    def box(left: float, right: float, margin: float = 0.0) -> lp.Shape:
+        lower, upper = (0.013 + left, 0.027 - margin), (0.013 + right, 0.027 + height + margin)
+        return lp.Rotated(shape=lp.Box(lower=lower, upper=upper), degrees=degrees)
+
+    end = first + second
+    scene = lp.Scene(
+        grid=lp.Grid(lower=(-1.0, -0.5), upper=(1.5, 2.0), cell=cell),
+        bodies=[
+            lp.Body(
+                shape=box(left, right),
+                material=lp.Thermal(density=1.0, specific_heat=1.0, conductivity=conductivity),
+                temperature=0.5,
+            )
+            for left, right, conductivity in ((0.0, first, 1.0), (first, end, ratio))
+        ],
+        heat=lp.Heat(
+            boundaries=[
+                lp.PrescribedTemperature(name="hot", value=1.0, region=box(-thin, thin, 1.0)),
+                lp.PrescribedTemperature(
+                    name="cold", value=0.0, region=box(end - thin, end + thin, 1.0)
+                ),
+            ]
+        ),
+        time=lp.Time(end=3.0),
+    )
+    simulation = lp.Simulation(scene)
+    simulation.run_until(2.9)
+    before = simulation.balance()[0].entries
+    simulation.run_until(3.0)
+    after = simulation.balance()[0].entries
+    exact = 0.1 * height / (first + second / ratio)
+    for name, sign in (("hot", 1.0), ("cold", -1.0)):
+        assert sign * (after[name] - before[name]) == pytest.approx(exact, rel=0.02)

@@ -581,11 +581,11 @@ def test_walls_that_go_on_beyond_a_column_push_it_no_further(degrees: float) -> 
         settings = drawn.scene.quasi_static
         assert settings is not None
         walls = []
-        for wall in settings.walls:
+        for wall in settings.supports:
             start, along = np.array(wall.line[0]), np.diff(np.array(wall.line), axis=0)[0]
             plane = lp.HalfSpace(point=numbers(start), normal=numbers([-along[1], along[0]]))
             walls.append(lp.Support(name=wall.name, kind="roller", shape=plane))
-        settings.walls = walls
+        settings.supports = walls
         errors.append(outcome_of(drawn).error)
     assert errors[1] < 1.5 * errors[0] + 2e-4
 

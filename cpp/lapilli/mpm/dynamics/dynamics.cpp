@@ -58,9 +58,6 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   if (data_.settings.stress_update == StressUpdate::musl) {
     velocities = update_velocities(data_, step.size);
     divide_second_velocity(data_);
-    if (obstacles_) {
-      obstacles_->push_again(data_);
-    }
     hold_second_velocity(data_);
   }
   PointSums sums = update_points(data_, step.size);

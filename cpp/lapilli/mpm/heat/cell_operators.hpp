@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "lapilli/mpm/surface/cut_shape.hpp"
@@ -22,7 +23,7 @@ class CellOperators {
 
   CellOperators(const Grid<Dim>& grid, const CubeLayout& layout, const Function& shape,
                 const Mat<Dim>& conductivity)
-      : grid_(grid), shape_(shape), root_(square_root(conductivity)) {
+      : grid_(grid), layout_(layout), shape_(shape), root_(square_root(conductivity)) {
     typename Grid<Dim>::Cell node;
     node.fill(Grid<Dim>::padding);
     int cubes = 1;
@@ -69,6 +70,21 @@ class CellOperators {
         }
       }
     }
+  }
+
+  /// Conduction alone with another conductivity than that of the body.
+  void integrate(const CellCut<Dim>& cell, const Mat<Dim>& conductivity) {
+    std::vector<QuadraturePoint<Dim>> points = cell.points;
+    for (std::size_t which = 0; which < full_volumes_.size(); ++which) {
+      if ((cell.full >> which) & 1U) {
+        const auto more =
+            gauss_points(cube_of<Dim>(grid_, layout_, cell.node, static_cast<int>(which)));
+        points.insert(points.end(), more.begin(), more.end());
+      }
+    }
+    const Mat<Dim> own = std::exchange(root_, square_root(conductivity));
+    integrate(cell.node, points, true);
+    root_ = own;
   }
 
   /// The lowest node around the cell of a node.
@@ -165,6 +181,7 @@ class CellOperators {
   }
 
   const Grid<Dim>& grid_;
+  CubeLayout layout_;
   Function shape_;
   Mat<Dim> root_;
   std::vector<Volumes> full_volumes_;

@@ -32,10 +32,28 @@ bool CutCellHeat<Dim>::suits(const HeatProblem<Dim>& problem) {
                      [](const HeatBody& body) { return body.shape.has_value(); });
 }
 
+namespace {
+
+/// Smooth shape functions cannot follow the kink of the temperature between two conductivities:
+/// GIMP functions conduct 5 % too much across a ratio of 10 at twenty cells, linear ones .2 %.
+template <int Dim>
+HeatProblem<Dim> with_kinks(HeatProblem<Dim> problem) {
+  const auto differs = [&](const HeatBody& body) {
+    return body.material.conductivity != problem.bodies.front().material.conductivity;
+  };
+  if (problem.shape == ShapeFunction::gimp &&
+      std::any_of(problem.bodies.begin(), problem.bodies.end(), differs)) {
+    problem.shape = ShapeFunction::linear;
+  }
+  return problem;
+}
+
+}  // namespace
+
 template <int Dim>
 CutCellHeat<Dim>::CutCellHeat(Points& points, HeatProblem<Dim> problem)
     : points_(points),
-      problem_(std::move(problem)),
+      problem_(with_kinks(std::move(problem))),
       coefficients_(problem_.bodies, problem_.shape),
       laws_(problem_.settings.boundaries, absolute_zero(problem_.settings)),
       part_of_(problem_.bodies.size(), 0) {

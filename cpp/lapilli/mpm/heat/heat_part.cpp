@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "lapilli/core/require.hpp"
@@ -10,6 +11,7 @@
 #include "lapilli/mpm/heat/cell_operators.hpp"
 #include "lapilli/mpm/heat/cut_bodies.hpp"
 #include "lapilli/mpm/heat/part_surface.hpp"
+#include "lapilli/mpm/heat/shared_cells.hpp"
 
 namespace lapilli {
 namespace {
@@ -96,8 +98,12 @@ class Assembly {
       Cell cell = cell_of(body);
       std::vector<double>& volume = volume_.emplace_back(active_.size(), 0.0);
       std::vector<int> whole(active_.size(), 0);
+      std::map<Index, double>& of_cut = volume_of_cut_.emplace_back();
       for (const CellCut<Dim>& cut : cut_[body].cells) {
         cell.integrate(cut, false);
+        if (part_.bodies.size() > 1 && !cell.is_whole(cut)) {
+          of_cut[grid_.node_index(cut.node)] = cell.volumes.sum();
+        }
         const Index first = grid_.node_index(cell.first_node(cut.node));
         for (int local = 0; local < Cell::nodes; ++local) {
           const Index node = first + offset_[local];
@@ -170,11 +176,12 @@ class Assembly {
     }
     part_.conduction = std::make_unique<SharedStencil<Dim>>(*part_.rows, std::move(kind),
                                                             static_cast<int>(part_.bodies.size()));
+    const SharedCells<Dim> shared(problem_, part_.bodies, volume_of_cut_);
     for (std::size_t k = 0; k < part_.bodies.size(); ++k) {
       Cell cell = cell_of(part_.bodies[k]);
       share_row(static_cast<int>(k), cell.whole_conduction());
       for (const CellCut<Dim>& cut : cut_[part_.bodies[k]].cells) {
-        add_conduction(cell, cut);
+        add_conduction(cell, cut, k, shared);
       }
     }
     part_.conduction->agree();
@@ -194,7 +201,8 @@ class Assembly {
     }
   }
 
-  void add_conduction(Cell& cell, const CellCut<Dim>& cut) {
+  void add_conduction(Cell& cell, const CellCut<Dim>& cut, std::size_t which,
+                      const SharedCells<Dim>& shared) {
     const Index first = grid_.node_index(cell.first_node(cut.node));
     std::array<Index, Cell::nodes> place;
     bool all_share = cell.is_whole(cut);
@@ -206,7 +214,15 @@ class Assembly {
     if (all_share) {
       return;
     }
-    cell.integrate(cut);
+    const Index node = grid_.node_index(cut.node);
+    if (shared.is_shared(node)) {
+      const double middle = 0.5 - layout_.shift;  // of the cell, from its node
+      const Vec<Dim> center =
+          grid_.node_position(node) + Vec<Dim>::Constant(middle * grid_.cell_size());
+      cell.integrate(cut, shared.conductivity(which, node, center));
+    } else {
+      cell.integrate(cut);
+    }
     for (int a = 0; a < Cell::nodes; ++a) {
       for (int b = a + 1; b < Cell::nodes && place[a] >= 0; ++b) {
         if (place[b] >= 0 && cell.conduction(a, b) != 0.0) {
@@ -242,9 +258,10 @@ class Assembly {
   Function function_;
   HeatPart<Dim> part_;
   std::vector<unsigned char> active_;
-  std::vector<std::vector<double>> volume_;  // by body of the part and node
-  std::vector<int> met_, kind_of_node_;      // by node: cells that touch it, row of the stencil
-  std::array<Index, Cell::nodes> offset_;    // from the first node of a cell
+  std::vector<std::vector<double>> volume_;             // by body of the part and node
+  std::vector<std::map<Index, double>> volume_of_cut_;  // by body, of cut cells of several bodies
+  std::vector<int> met_, kind_of_node_;    // by node: cells that touch it, row of the stencil
+  std::array<Index, Cell::nodes> offset_;  // from the first node of a cell
   std::vector<typename SharedStencil<Dim>::Step> step_;  // all within a cell
 };
 

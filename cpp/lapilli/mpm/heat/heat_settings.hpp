@@ -173,7 +173,7 @@ struct HeatSettings {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("method").text("how flux laws reach the nodes"), self.method);
+    visit(Key("method").text("how fluxes reach the nodes"), self.method);
     visit(Key("transfer").text("what points and nodes hand each other"), self.transfer);
     visit(Key("time_integration").text("explicit Euler or the implicit theta scheme"),
           self.time_integration);
@@ -197,7 +197,7 @@ struct HeatSettings {
         self.implicit_robin);
     visit(Key("corner_fit").text("give sharp corners their whole area"), self.corner_fit);
     visit(Key("boundaries")
-              .text("flux laws and held temperatures; the first region that covers a place wins"),
+              .text("fluxes and prescribed temperatures; the first region that covers a place wins"),
           self.boundaries);
   }
 };

@@ -164,25 +164,25 @@ void ObstacleContacts<Dim>::find(const DynamicsData<Dim>& data, double step, dou
 
 /// Impulses of the step before, those of points that were in contact then.
 template <int Dim>
-void ObstacleContacts<Dim>::start_from(int which, double scale) {
+void ObstacleContacts<Dim>::start_from(double scale) {
   for (Contact<Dim>& contact : contacts_) {
     const double* memory = memory_.data() + contact.row * kept;
     const bool known = memory[stamp] == steps_ && steps_ > 0.0;
-    contact.push = known ? scale * memory[which] : 0.0;
-    contact.past = known ? scale * memory[which + 1 + Dim] : -1.0;
+    contact.push = known ? scale * memory[held] : 0.0;
+    contact.past = known ? scale * memory[held + 1 + Dim] : -1.0;
     for (int axis = 0; axis < Dim; ++axis) {
-      contact.drag[axis] = known ? scale * memory[which + 1 + axis] : 0.0;
+      contact.drag[axis] = known ? scale * memory[held + 1 + axis] : 0.0;
     }
   }
 }
 
 template <int Dim>
-void ObstacleContacts<Dim>::keep(int which) {
+void ObstacleContacts<Dim>::keep() {
   for (const Contact<Dim>& contact : contacts_) {
     double* memory = memory_.data() + contact.row * kept;
-    memory[which] = contact.push;
-    std::copy_n(contact.drag.data(), Dim, memory + which + 1);
-    memory[which + 1 + Dim] = contact.felt();
+    memory[held] = contact.push;
+    std::copy_n(contact.drag.data(), Dim, memory + held + 1);
+    memory[held + 1 + Dim] = contact.felt();
   }
 }
 
@@ -199,9 +199,9 @@ typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::push(DynamicsData<Di
     contact.approach = contact.at_foot(velocity);
     contact.start = contact.approach - contact.at_foot(increment);
   }
-  start_from(first, last_step_ > 0.0 ? step / last_step_ : 0.0);
+  start_from(last_step_ > 0.0 ? step / last_step_ : 0.0);
   solve_contacts<Dim>(contacts_, friction_, data.nodes.mass(), velocity, crowd);
-  keep(first);
+  keep();
   last_step_ = step;
   return book(velocity, step);
 }
@@ -227,17 +227,6 @@ typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::book(double* const (
   }
   work_ += work.given;
   return work;
-}
-
-template <int Dim>
-void ObstacleContacts<Dim>::push_again(DynamicsData<Dim>& data, std::vector<double>& crowd) {
-  double* velocity[Dim];
-  for (int axis = 0; axis < Dim; ++axis) {
-    velocity[axis] = data.nodes.second_velocity(axis);
-  }
-  start_from(second, 1.0);
-  solve_contacts<Dim>(contacts_, friction_, data.nodes.mass(), velocity, crowd);
-  keep(second);
 }
 
 template <int Dim>

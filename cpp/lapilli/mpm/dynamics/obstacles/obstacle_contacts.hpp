@@ -34,9 +34,7 @@ class ObstacleContacts {
     double impact = 0.0;    // J, lost across it
   };
   Work push(DynamicsData<Dim>& data, double step, std::vector<double>& crowd);
-  /// The same on the velocity that is projected a second time, which only strains.
-  void push_again(DynamicsData<Dim>& data, std::vector<double>& crowd);
-  /// After both: the next step starts from the impulses of the present contacts.
+  /// After it: the next step starts from the impulses of the present contacts.
   void finish_step();
 
   RigidMotion& motion() { return motion_; }
@@ -54,16 +52,16 @@ class ObstacleContacts {
   Index touching() const;                           // contacts that push
 
  private:
-  // Of a point: clearance, the step it belongs to, and both impulses (push, drag, felt).
-  static constexpr int stamp = 1, first = 2, second = 4 + Dim, kept = 6 + 2 * Dim;
+  // Of a point: clearance, the step it belongs to, and its impulse (push, drag, felt).
+  static constexpr int stamp = 1, held = 2, kept = 4 + Dim;
 
   double clearance(const Vec3& x) const { return distance(obstacle_.shape, motion_.reference(x)); }
   bool place_on_nodes(const DynamicsData<Dim>& data, Contact<Dim>& contact) const;
   Contact<Dim> contact_at(const DynamicsData<Dim>& data, Index row, const Vec3& x, double gap,
                           double step) const;
   Work book(double* const (&velocity)[Dim], double step);
-  void start_from(int which, double scale);
-  void keep(int which);
+  void start_from(double scale);
+  void keep();
 
   Obstacle obstacle_;
   std::string name_;

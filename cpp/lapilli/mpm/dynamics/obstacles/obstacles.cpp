@@ -64,13 +64,6 @@ void Obstacles<Dim>::push(DynamicsData<Dim>& data, const Step& step, double spee
 }
 
 template <int Dim>
-void Obstacles<Dim>::push_again(DynamicsData<Dim>& data) {
-  for (const auto& one : each_) {
-    one->push_again(data, crowd_);
-  }
-}
-
-template <int Dim>
 void Obstacles<Dim>::finish_step(const Step& step, double moved, bool ahead) {
   const double done = ahead ? 0.5 * step.size : 0.0;
   double fastest = 0.0;

@@ -20,8 +20,6 @@ class Obstacles {
   /// Push what the forces accelerated out of the obstacles. Points must be where the nodes act on
   /// them; none is faster than `speed`. Changes velocity and increment of the nodes, and the sums.
   void push(DynamicsData<Dim>& data, const Step& step, double speed, NodeSums& sums);
-  /// The same on the velocity that is projected a second time (MUSL).
-  void push_again(DynamicsData<Dim>& data);
   /// Move the obstacles to the end of the step, in which points moved at most `moved`; `ahead`:
   /// from the middle of it.
   void finish_step(const Step& step, double moved, bool ahead);

@@ -1,0 +1,70 @@
+#include "lapilli/mpm/heat/shared_cells.hpp"
+
+#include <algorithm>
+
+namespace lapilli {
+
+template <int Dim>
+SharedCells<Dim>::SharedCells(const HeatProblem<Dim>& problem,
+                              const std::vector<std::size_t>& bodies,
+                              const std::vector<std::map<Index, double>>& volumes)
+    : problem_(problem), bodies_(bodies) {
+  const bool alike = std::all_of(bodies.begin(), bodies.end(), [&](std::size_t body) {
+    return problem.bodies[body].material.conductivity ==
+           problem.bodies[bodies.front()].material.conductivity;
+  });
+  if (alike) {
+    return;
+  }
+  for (std::size_t which = 0; which < bodies.size(); ++which) {
+    for (const auto& [node, volume] : volumes[which]) {
+      if (volume > 0.0) {
+        parts_[node].push_back({which, volume});
+      }
+    }
+  }
+  std::erase_if(parts_, [](const auto& cell) { return cell.second.size() < 2; });
+  for (auto& [node, parts] : parts_) {
+    double sum = 0.0;
+    for (const Part& part : parts) {
+      sum += part.fraction;
+    }
+    for (Part& part : parts) {
+      part.fraction /= sum;
+    }
+  }
+}
+
+template <int Dim>
+Mat<Dim> SharedCells<Dim>::own(std::size_t which) const {
+  return problem_.bodies[bodies_[which]].material.conductivity.template block<Dim>();
+}
+
+// With the mean slope G the slope in body b is G + n (q - n . K_b G)/(n . K_b n), where q, the flux
+// across the interface, makes the slopes average to G.
+template <int Dim>
+Mat<Dim> SharedCells<Dim>::conductivity(std::size_t which, Index node,
+                                        const Vec<Dim>& center) const {
+  Vec3 at = Vec3::Zero();
+  at.head<Dim>() = center;
+  const Vec3 outward = gradient(*problem_.bodies[bodies_[which]].shape, at);
+  const Vec<Dim> normal = outward.head<Dim>().normalized();
+  double resistance = 0.0;
+  Vec<Dim> across = Vec<Dim>::Zero();
+  for (const Part& part : parts_.at(node)) {
+    const Vec<Dim> flux = own(part.which) * normal;
+    resistance += part.fraction / normal.dot(flux);
+    across += part.fraction / normal.dot(flux) * flux;
+  }
+  const Mat<Dim> k = own(which);
+  const Vec<Dim> flux = k * normal;
+  const Mat<Dim> slope =
+      Mat<Dim>::Identity() + normal * (across / resistance - flux).transpose() / normal.dot(flux);
+  return slope.transpose() * k * slope;
+}
+
+template class SharedCells<1>;
+template class SharedCells<2>;
+template class SharedCells<3>;
+
+}  // namespace lapilli
