@@ -158,8 +158,8 @@ def test_drawn_bodies_take_up_their_heat(seed):
 @pytest.mark.parametrize("degrees", [0.0, 20.0, 45.0])
 @pytest.mark.parametrize("ratio", [0.1, 2.0, 10.0])
 def test_layers_in_series_conduct_as_they_should(degrees: float, ratio: float):
-    """Two bars end to end, the interface anywhere in its cells: flux of the exact resistances within
-    2 % (.8 % at 20, 1.5 % at 45 degrees; it was 5 % with functions that have no kink)."""
+    """Two bars end to end, the interface anywhere in its cells: the flux of the exact resistances
+    within 2 % (.8 % at 20, 1.5 % at 45 degrees; it was 5 % with functions that have no kink)."""
     first, second, height, cell = 0.43, 0.57, 0.5, 0.05
     thin = 1e-3 * cell
 
