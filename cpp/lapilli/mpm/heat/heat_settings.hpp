@@ -196,9 +196,10 @@ struct HeatSettings {
                 "take convection and radiation at the end of the step, stable for any coefficient"),
         self.implicit_robin);
     visit(Key("corner_fit").text("give sharp corners their whole area"), self.corner_fit);
-    visit(Key("boundaries")
-              .text("fluxes and prescribed temperatures; the first region that covers a place wins"),
-          self.boundaries);
+    visit(
+        Key("boundaries")
+            .text("fluxes and prescribed temperatures; the first region that covers a place wins"),
+        self.boundaries);
   }
 };
 
