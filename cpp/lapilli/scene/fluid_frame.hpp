@@ -10,8 +10,8 @@ namespace lapilli {
 /// The frame in which the particles of a peridynamic fluid start: it is turned and moved as the
 /// shape of the first body is, its lattice lies in the middle of that shape, and its spacing is the
 /// one near the grid's of which the sides of the shape are multiples. So a fluid starts the same
-/// wherever in the grid and at whatever angle it lies, half a spacing from flat faces. The frame of the grid where nothing
-/// flows.
+/// wherever in the grid and at whatever angle it lies, half a spacing from flat faces. The frame of
+/// the grid where nothing flows.
 class FluidFrame {
  public:
   FluidFrame(const Scene& scene, int points_per_axis);
