@@ -7,7 +7,7 @@
 
 namespace lapilli {
 
-/// The account of one conserved quantity: what was there, what supplied, what is there now.
+/// The account of one conserved quantity: what was there, what was supplied, what is there now.
 struct Balance {
   struct Entry {
     std::string name;  // "convection 1", "source"
@@ -25,7 +25,7 @@ struct Balance {
 
   double supplied() const;
   double turnover() const;
-  /// stored - initial - taken in.
+  /// stored - initial - supplied.
   double gap() const { return stored - initial - supplied(); }
   /// The gap over the largest turnover or scale so far; a billionth of the store where hardly
   /// anything happened, whose sums are rounded.

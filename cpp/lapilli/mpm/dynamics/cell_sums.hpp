@@ -50,7 +50,7 @@ class CellSums {
   Index first_ = -1;
 };
 
-/// Dynamics of one point, m (v + affine), into the sums `offset` to `offset` + Dim - 1. `affine`:
+/// Momentum of one point, m (v + affine), into the sums `offset` to `offset` + Dim - 1. `affine`:
 /// its matrix, row-major.
 template <VelocityTransfer transfer, int Dim, class Shape, int arrays>
 void add_momentum(CellSums<Dim, Shape, arrays>& sums, int offset, const SimdWeights<Dim, Shape>& w,
