@@ -5,15 +5,10 @@
 
 using namespace dynamics_test;
 
-TEST_CASE("heating a body held on all sides gives the pressure of its bulk modulus") {
-  Run<2> run(Grid<2>({0, 0}, {1, 1}, 0.25), ShapeFunction::linear);
-  const LinearElastic solid = elastic(1000, 1e6, 0.25);
-  run.add({solid, 0.25, {}, {}}, 2, [](const Vec<2>&) { return true; });
-  for (int axis : {0, 1}) {
-    run.roller(axis, 0);
-    run.roller(axis, 1);
-  }
-  run.start();
+namespace {
+
+/// Ten steps of 3 K each, everywhere.
+void heat_by_30_kelvin(Run<2>& run) {
   PointArray temperature(run.points, 1, 280.0);
   ThermalStrain expansion(run.points, temperature, run.solver->free_strain(), {1e-5});
   for (int k = 0; k < 10; ++k) {
@@ -23,6 +18,20 @@ TEST_CASE("heating a body held on all sides gives the pressure of its bulk modul
     expansion.advance({run.time, 1e-4, run.index});
     run.advance(1e-4);
   }
+}
+
+}  // namespace
+
+TEST_CASE("heating a body held on all sides gives the pressure of its bulk modulus") {
+  Run<2> run(Grid<2>({0, 0}, {1, 1}, 0.25), ShapeFunction::linear);
+  const LinearElastic solid = elastic(1000, 1e6, 0.25);
+  run.add({solid, 0.25, {}, {}}, 2, [](const Vec<2>&) { return true; });
+  for (int axis : {0, 1}) {
+    run.roller(axis, 0);
+    run.roller(axis, 1);
+  }
+  run.start();
+  heat_by_30_kelvin(run);
   // Every node lies on a wall or between equal neighbours: nothing moves, 30 K in all.
   for (Index row = 0; row < run.points.size(); ++row) {
     REQUIRE(run.solver->stress()[4 * row] ==
@@ -73,15 +82,7 @@ TEST_CASE("a clamped body that is heated stores what expansion gives it") {
       run.no_slip(axis, 1);
     }
     run.start();
-    PointArray temperature(run.points, 1, 280.0);
-    ThermalStrain expansion(run.points, temperature, run.solver->free_strain(), {1e-5});
-    for (int k = 0; k < 10; ++k) {
-      for (double& value : temperature.values()) {
-        value += 3.0;
-      }
-      expansion.advance({run.time, 1e-4, run.index});
-      run.advance(1e-4);
-    }
+    heat_by_30_kelvin(run);
     // 9/2 K (alpha dT)^2 over one square metre; nothing moves, no other entry.
     const double stored = 4.5 * elastic_part(solid).bulk_modulus() * std::pow(1e-5 * 30.0, 2);
     CHECK(run.value("expansion work") == Approx(stored).epsilon(1e-9));
