@@ -4,32 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/geometry/node_block.hpp"
+
 namespace lapilli {
 namespace {
 
 constexpr double least_share = 0.01;  // of the volume of a full cell
 constexpr int farthest = 4;           // cells to a leader
-
-/// Call body(node, offset) for the nodes within `reach` cells along every axis.
-template <int Dim, class Body>
-void for_each_around(const Grid<Dim>& grid, Index centre, int reach, const Body& body) {
-  const auto at = grid.node_at(centre);
-  const int width = 2 * reach + 1;
-  const int block = Dim == 1 ? width : Dim == 2 ? width * width : width * width * width;
-  for (int b = 0; b < block; ++b) {
-    auto node = at;
-    Vec<Dim> offset;
-    bool inside = true;
-    for (int axis = 0, rest = b; axis < Dim; ++axis, rest /= width) {
-      offset[axis] = rest % width - reach;
-      node[axis] += rest % width - reach;
-      inside = inside && node[axis] >= 0 && node[axis] < grid.nodes(axis);
-    }
-    if (inside) {
-      body(grid.node_index(node), offset);
-    }
-  }
-}
 
 /// Weights of the straight line fitted to values at `offset`, taken at zero: nearest first by the
 /// fourth power of the distance. Directions along which no two leaders differ have no slope.
@@ -84,7 +65,7 @@ Followers<Dim>::Followers(const Grid<Dim>& grid, const NodeRows<Dim>& rows,
     }
     double fullest = 0.0;
     if (volume[node] < least_share * grid.cell_volume()) {
-      for_each_around<Dim>(grid, node, 2, [&](Index other, const Vec<Dim>&) {
+      for_each_in_block<Dim>(grid, node, 2, [&](Index other, const Vec<Dim>&) {
         fullest = std::max(fullest, volume[other]);
       });
       fullest = std::min(fullest, grid.cell_volume());
@@ -102,7 +83,7 @@ Followers<Dim>::Followers(const Grid<Dim>& grid, const NodeRows<Dim>& rows,
     for (int reach = 1; reach <= farthest && !complete; ++reach) {
       offset.clear();
       leader.clear();
-      for_each_around<Dim>(grid, node, reach, [&](Index other, const Vec<Dim>& away) {
+      for_each_in_block<Dim>(grid, node, reach, [&](Index other, const Vec<Dim>& away) {
         if (leads[other] != 0) {
           offset.push_back(away);
           leader.push_back(rows.place(other));

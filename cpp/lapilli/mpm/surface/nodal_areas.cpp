@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/geometry/node_block.hpp"
 #include "lapilli/mpm/surface/corner_fit.hpp"
 #include "lapilli/mpm/surface/nodal_surface.hpp"
 
@@ -18,25 +19,6 @@ Vec3 projected(const Grid<Dim>& grid, Index node, const Vec<Dim>& normal, double
   }
   position.template head<Dim>() = grid.node_position(node) + reach * normal;
   return position;
-}
-
-/// Call body(node) for the nodes within `reach` cells along every axis.
-template <int Dim, class Body>
-void for_each_in_block(const Grid<Dim>& grid, Index centre, int reach, const Body& body) {
-  const auto at = grid.node_at(centre);
-  const int width = 2 * reach + 1;
-  const int block = Dim == 1 ? width : Dim == 2 ? width * width : width * width * width;
-  for (int b = 0; b < block; ++b) {
-    auto node = at;
-    bool inside = true;
-    for (int axis = 0, rest = b; axis < Dim; ++axis, rest /= width) {
-      node[axis] += rest % width - reach;
-      inside = inside && node[axis] >= 0 && node[axis] < grid.nodes(axis);
-    }
-    if (inside) {
-      body(grid.node_index(node));
-    }
-  }
 }
 
 }  // namespace
@@ -218,7 +200,8 @@ std::vector<double> non_negative_areas(const Grid<Dim>& grid, std::span<const In
           offer(static_cast<Index>(row));
         }
       } else {
-        for_each_in_block(grid, nodes[needy[n]], reach, [&](Index node) { offer(row_of(node)); });
+        for_each_in_block(grid, nodes[needy[n]], reach,
+                          [&](Index node, const Vec<Dim>&) { offer(row_of(node)); });
       }
       for (const Index row : givers[n]) {
         asked[row] += missing[needy[n]] * positive[row] / available[n];
