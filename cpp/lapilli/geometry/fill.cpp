@@ -134,6 +134,12 @@ Shape with_ends(const Shape& shape, const FillOptions& options, int dimension) {
 
 }  // namespace
 
+Vec3 FilledPoints::place(std::size_t row) const {
+  Vec3 at = Vec3::Zero();
+  std::copy_n(position.data() + row * static_cast<std::size_t>(dimension), dimension, at.data());
+  return at;
+}
+
 int points_per_axis(int points_per_cell, int dimension) {
   const auto power = [&](int root) {
     long long product = 1;

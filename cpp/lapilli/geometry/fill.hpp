@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -15,6 +16,18 @@ struct FilledPoints {
   double spacing = 0.0;  // m between neighbours; of a random fill the mean
 
   std::size_t size() const { return volume.size(); }
+
+  /// Where a point lies; zero along the axes there are not.
+  Vec3 place(std::size_t row) const;
+  /// Put every point at map(place), a function of Vec3.
+  template <class Map>
+  void move(const Map& map) {
+    for (std::size_t row = 0; row < size(); ++row) {
+      const Vec3 to = map(place(row));
+      std::copy_n(to.data(), dimension,
+                  position.data() + row * static_cast<std::size_t>(dimension));
+    }
+  }
 };
 
 /// The sites that may hold a point: `points_per_axis` in every cell of the background grid, in the

@@ -133,21 +133,7 @@ bool is_filled_elsewhere(const Scene& scene, const Body& body) {
 void put_in_place(const Body& body, FilledPoints& points) {
   const Mat3 turn = rotation(body.rotation, place(body.rotation_axis));
   const Vec3 center = place(body.rotation_center), by = place(body.translation);
-  for (std::size_t row = 0; row < points.size(); ++row) {
-    Vec3 at = Vec3::Zero();
-    double* coordinates = points.position.data() + row * points.dimension;
-    std::copy(coordinates, coordinates + points.dimension, at.data());
-    at = center + turn * (at - center) + by;
-    std::copy(at.data(), at.data() + points.dimension, coordinates);
-  }
-}
-
-Vec3 position_of(const FilledPoints& points, std::size_t row) {
-  Vec3 at = Vec3::Zero();
-  for (int axis = 0; axis < points.dimension; ++axis) {
-    at[axis] = points.position[row * points.dimension + axis];
-  }
-  return at;
+  points.move([&](const Vec3& at) { return Vec3(center + turn * (at - center) + by); });
 }
 
 void require_inside_grid(const Scene& scene, const FilledPoints& points) {
@@ -156,7 +142,7 @@ void require_inside_grid(const Scene& scene, const FilledPoints& points) {
   Index outside = 0;
   Vec3 example = Vec3::Zero();
   for (std::size_t row = 0; row < points.size(); ++row) {
-    const Vec3 at = position_of(points, row);
+    const Vec3 at = points.place(row);
     require(at.allFinite(), "point ", row,
             " has a position that is not finite: ", text_of(at, points.dimension));
     bool inside = true;
@@ -182,7 +168,7 @@ void require_apart(const Scene& scene, const std::vector<FilledPoints>& filled) 
     const Bounds box = bounds(*shape);
     for (std::size_t other = 0; other < filled.size(); ++other) {
       for (std::size_t row = 0; other != k && row < filled[other].size(); ++row) {
-        const Vec3 at = position_of(filled[other], row);
+        const Vec3 at = filled[other].place(row);
         const double depth = 0.26 * filled[other].spacing;
         const bool near =
             (at.array() >= box.lower.array()).all() && (at.array() <= box.upper.array()).all();

@@ -53,15 +53,6 @@ double longest_horizon(const PeridynamicsSettings& settings, double spacing) {
   return spacing * std::max(thermal, settings.flow->horizon);
 }
 
-Vec3 position_of(const FilledPoints& points, std::size_t row) {
-  Vec3 at = Vec3::Zero();
-  for (int axis = 0; axis < points.dimension; ++axis) {
-    at[axis] = points.position[row * static_cast<std::size_t>(points.dimension) +
-                               static_cast<std::size_t>(axis)];
-  }
-  return at;
-}
-
 Fluid fluid_of(const Scene& scene) {
   Fluid fluid;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
@@ -99,7 +90,7 @@ FilledPoints felt_points(const FilledPoints& all, const std::string& name, const
   kept.spacing = all.spacing;
   bool felt = false;
   for (std::size_t row = 0; row < all.size(); ++row) {
-    const Vec3 at = position_of(all, row);
+    const Vec3 at = all.place(row);
     const double outside = reach.region(at);
     require(outside >= -0.3 * all.spacing, "wall '", name, "' overlaps the fluid body: its point ",
             "at (", at[0], ", ", at[1], ", ", at[2], ") lies ", -outside,

@@ -142,13 +142,7 @@ FilledPoints FluidFrame::fill(const Shape& shape, FillOptions options, int dimen
   if (turn_.isIdentity(0.0) && origin_.isZero(0.0)) {
     return points;
   }
-  for (std::size_t row = 0; row < points.size(); ++row) {
-    double* at = points.position.data() + row * static_cast<std::size_t>(dimension);
-    Vec3 x = Vec3::Zero();
-    std::copy(at, at + dimension, x.data());
-    x = origin_ + turn_ * x;
-    std::copy(x.data(), x.data() + dimension, at);
-  }
+  points.move([&](const Vec3& at) { return Vec3(origin_ + turn_ * at); });
   return points;
 }
 
