@@ -97,7 +97,7 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
                           scene.heat && scene.heat->viscous_dissipation);
     if (heat != nullptr) {
       heat->heat_by(made->dissipation());
-      heat->follow_shift(&made->shifted());
+      heat->follow_shift(made->shifted());
     }
     physics.push_back(std::move(made));
   }

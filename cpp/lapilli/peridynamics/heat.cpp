@@ -150,13 +150,15 @@ void PeridynamicHeat::interpolate_to_shifted_places() {
   }
   std::fill(rate_.values().begin(), rate_.values().end(), 0.0);
   exchange_->add_missed(temperature_.data(), surface_, shift_->data(), rate_.data());
-  const double gained =
-      parallel_sum(points_.size(), 0.0, [&](Index i) { return std::max(rate_[i], 0.0); });
-  const double lost =
-      parallel_sum(points_.size(), 0.0, [&](Index i) { return std::max(-rate_[i], 0.0); });
-  const double kept = std::min(gained, lost);
-  const double of_gain = gained > 0.0 ? kept / gained : 0.0,
-               of_loss = lost > 0.0 ? kept / lost : 0.0;
+  // Gained and lost by all.
+  const Vec<2> sums = parallel_sum(points_.size(), Vec<2>(0.0, 0.0), [&](Index i) {
+    return Vec<2>(std::max(rate_[i], 0.0), std::max(-rate_[i], 0.0));
+  });
+  const double kept = sums.minCoeff();
+  if (!(kept > 0.0)) {
+    return;
+  }
+  const double of_gain = kept / sums[0], of_loss = kept / sums[1];
   parallel_for(points_.size(), [&](Index i) {
     if (capacity_[i] > 0.0) {
       const double part = rate_[i] > 0.0 ? of_gain : of_loss;

@@ -47,7 +47,7 @@ class PeridynamicFlow final : public Flow {
   }
   const PointArray& density() const override { return density_; }
   const PointArray* dissipation() const override { return dissipation_.get(); }
-  const PointArray& shifted() const override { return shifted_; }
+  const PointArray* shifted() const override { return shifted_.get(); }
   double sound_speed() const override { return sound_speed_; }
   double velocity_noise() const override {
     return lapilli::velocity_noise<Dim>(*walls_, families_, weight_, velocity_);
@@ -96,8 +96,8 @@ class PeridynamicFlow final : public Flow {
   bool two_field_;
   bool walls_slide_ = false;  // any wall has a velocity
 
-  PointArray velocity_, acceleration_, density_, mass_, shift_, shifted_, pressure_field_;
-  std::unique_ptr<PointArray> dissipation_;
+  PointArray velocity_, acceleration_, density_, mass_, shift_, pressure_field_;
+  std::unique_ptr<PointArray> dissipation_, shifted_;
   StressForce<Dim> force_;
   Families families_;
   LargeArray<double> rows_;

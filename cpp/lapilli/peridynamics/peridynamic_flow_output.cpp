@@ -33,7 +33,9 @@ void PeridynamicFlow<Dim>::save(Archive& archive) const {
   archive.write("flow/density", density_.values());
   archive.write("flow/mass", mass_.values());
   archive.write("flow/shift", shift_.values());
-  archive.write("flow/shifted", shifted_.values());
+  if (shifted_) {
+    archive.write("flow/shifted", shifted_->values());
+  }
   const double numbers[] = {least_density_, most_density_, smallest_spacing_, sound_speed_,
                             started_ ? 1.0 : 0.0};
   archive.write("flow/numbers", numbers);
@@ -53,7 +55,9 @@ void PeridynamicFlow<Dim>::load(const Archive& archive) {
   archive.read("flow/density", density_.values());
   archive.read("flow/mass", mass_.values());
   archive.read("flow/shift", shift_.values());
-  archive.read("flow/shifted", shifted_.values());
+  if (shifted_) {
+    archive.read("flow/shifted", shifted_->values());
+  }
   double numbers[5];
   archive.read("flow/numbers", numbers);
   least_density_ = numbers[0];
