@@ -24,13 +24,6 @@ std::string name_of_law(const HeatBoundary& law, std::size_t index) {
 }
 
 template <int Dim>
-void BoundaryConditions<Dim>::Account::add(double value) {
-  const double total = sum + value;
-  dropped += std::abs(sum) >= std::abs(value) ? (sum - total) + value : (value - total) + sum;
-  sum = total;
-}
-
-template <int Dim>
 BoundaryConditions<Dim>::BoundaryConditions(const std::vector<HeatBoundary>& laws,
                                             double absolute_zero)
     : laws_(laws), nodes_(laws.size()), account_(laws.size()), zero_(absolute_zero) {
@@ -176,34 +169,6 @@ SurfaceView BoundaryConditions<Dim>::surface() const {
     view.append(nodes);
   }
   return view;
-}
-
-template <int Dim>
-std::vector<Balance::Entry> BoundaryConditions<Dim>::entries() const {
-  std::vector<Balance::Entry> all;
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    all.push_back({name_of_law(laws_[law], law), account_[law].sum + account_[law].dropped});
-  }
-  return all;
-}
-
-template <int Dim>
-void BoundaryConditions<Dim>::save(Archive& archive, const std::string& name) const {
-  std::vector<double> sums;
-  for (const Account& account : account_) {
-    sums.push_back(account.sum);
-    sums.push_back(account.dropped);
-  }
-  archive.write(name, std::span<const double>(sums));
-}
-
-template <int Dim>
-void BoundaryConditions<Dim>::load(const Archive& archive, const std::string& name) {
-  std::vector<double> sums(2 * account_.size());
-  archive.read(name, std::span<double>(sums));
-  for (std::size_t law = 0; law < account_.size(); ++law) {
-    account_[law] = {sums[2 * law], sums[2 * law + 1]};
-  }
 }
 
 template class BoundaryConditions<1>;

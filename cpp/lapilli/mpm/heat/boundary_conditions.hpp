@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lapilli/core/balance.hpp"
+#include "lapilli/mpm/heat/condition_account.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
 #include "lapilli/mpm/surface/nodal_surface.hpp"
 #include "lapilli/mpm/surface/surface_regions.hpp"
@@ -81,25 +82,19 @@ class BoundaryConditions {
   /// middle. The slope of radiation is the secant to its ambient, sigma e (Ta^2 + T^2)(Ta + T): at
   /// a cold start the tangent 4 sigma e T^3 restores nothing, and the step would pass the ambient.
   void evaluate_over(std::span<const double> temperature, double begin, double end);
-  /// Add to a law's account. `heat` came in (J).
-  void book(std::size_t law, double heat) { account_[law].add(heat); }
+  /// Add to a law's account. `heat` was supplied (J).
+  void book(std::size_t law, double heat) { account_.book(law, heat); }
 
   /// How held temperatures tie nodes to the corners of their probes; the node itself, which a step
   /// takes implicitly, is left out.
   std::vector<NodeCoupling> couplings() const;
 
   SurfaceView surface() const;
-  std::vector<Balance::Entry> entries() const;
-  void save(Archive& archive, const std::string& name) const;
-  void load(const Archive& archive, const std::string& name);
+  std::vector<Balance::Entry> entries() const { return account_.entries(laws_); }
+  void save(Archive& archive, const std::string& name) const { account_.save(archive, name); }
+  void load(const Archive& archive, const std::string& name) { account_.load(archive, name); }
 
  private:
-  /// A sum that keeps what rounding drops (Neumaier 1974).
-  struct Account {
-    double sum = 0.0, dropped = 0.0;
-    void add(double value);
-  };
-
   void evaluate_between(std::span<const double> temperature, double begin, double end);
   void read_states(std::size_t law, std::span<const double> temperature);
   void evaluate_flux(const Flux& law, Nodes& nodes);
@@ -115,7 +110,7 @@ class BoundaryConditions {
 
   std::vector<HeatBoundary> laws_;
   std::vector<Nodes> nodes_;
-  std::vector<Account> account_;
+  ConditionAccount account_;
   double zero_ = 0.0;               // absolute zero in the scene's unit
   double begin_ = 0.0, end_ = 0.0;  // s, the span of time being evaluated
   bool secant_ = false;

@@ -4,6 +4,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
 #include "lapilli/mpm/heat/heat_balance.hpp"
+#include "lapilli/mpm/heat/temperature_range.hpp"
 #include "lapilli/mpm/surface/cut_shape.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
 
@@ -12,17 +13,7 @@ namespace lapilli {
 template <int Dim>
 void CutCellHeat<Dim>::require_finite() const {
   for (const Solved& one : solved_) {
-    for (const auto& row : one.part.rows->rows()) {
-      for (int i = row.begin; i < row.end; ++i) {
-        if (!std::isfinite(one.part.temperature[row.shift + i])) {
-          const Index node = row.grid_row * problem_.grid.nodes(0) + i;
-          throw RunError(message(
-              "heat: temperature of the node at (", problem_.grid.node_position(node).transpose(),
-              ") is not finite; a boundary condition or source gave such a value, or the step is "
-              "too large for it"));
-        }
-      }
-    }
+    require_finite_nodes<Dim>(problem_.grid, *one.part.rows, one.part.temperature);
   }
 }
 
@@ -119,7 +110,7 @@ void CutCellHeat<Dim>::save(Archive& archive) const {
   archive.write("heat/initial", initial_);
   archive.write("heat/source", source_);
   archive.write("heat/time", time_);
-  laws_.save(archive, "heat/laws");
+  laws_.account().save(archive, "heat/laws");
 }
 
 template <int Dim>
@@ -131,7 +122,7 @@ void CutCellHeat<Dim>::load(const Archive& archive) {
   initial_ = archive.read_number("heat/initial");
   source_ = archive.read_number("heat/source");
   time_ = archive.read_number("heat/time");
-  laws_.load(archive, "heat/laws");
+  laws_.account().load(archive, "heat/laws");
 }
 
 #define LAPILLI_INSTANTIATE(Dim)                                                              \

@@ -67,7 +67,7 @@ void CutCellHeat<Dim>::centre_weak_exchange(Solved& one, double step, std::span<
       rise /= 1.0 + slope * one.inverse[weak.lead_place[k]];
       sum += slope * rise;
     }
-    laws_.book(weak.law, heat[weak.law] - sum);
+    laws_.account().book(weak.law, heat[weak.law] - sum);
   }
 }
 
@@ -141,17 +141,11 @@ void CutCellHeat<Dim>::exchange_with_surroundings(Solved& one, const Step& step)
 template <int Dim>
 void CutCellHeat<Dim>::book_laws(const Solved& one, double size, const SurfaceTerm::Vector& rise,
                                  double given) {
-  // Each law gave what it says; what rounding and the solver leave goes to the largest.
-  std::size_t largest = 0;
   std::vector<double> heat(laws_.size());
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     heat[law] = size * one.surface.heat(law, rise);
-    given -= heat[law];
-    largest = std::abs(heat[law]) > std::abs(heat[largest]) ? law : largest;
   }
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    laws_.book(law, law == largest ? heat[law] + given : heat[law]);
-  }
+  laws_.account().book(heat, given);
 }
 
 #define LAPILLI_INSTANTIATE(Dim)                                                               \

@@ -139,15 +139,7 @@ void CutCellHeat<Dim>::take_implicit_step(Solved& one, double begin, double size
   // Laws gave what nodes took up beyond sources: exact where a stiff law leaves a small difference
   // of large rates.
   source_ += source_start + source_end;
-  double given = capacity.dot(trial - start) - (source_start + source_end);
-  std::size_t largest = 0;
-  for (std::size_t law = 0; law < of_laws.size(); ++law) {
-    given -= of_laws[law];
-    largest = std::abs(of_laws[law]) > std::abs(of_laws[largest]) ? law : largest;
-  }
-  for (std::size_t law = 0; law < of_laws.size(); ++law) {
-    laws_.book(law, law == largest ? of_laws[law] + given : of_laws[law]);
-  }
+  laws_.account().book(of_laws, capacity.dot(trial - start) - (source_start + source_end));
   for (const Index place : one.unknown_place) {
     one.part.temperature[place] = nodal[place];
   }

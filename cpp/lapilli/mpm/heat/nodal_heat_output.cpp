@@ -4,22 +4,13 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/heat_balance.hpp"
+#include "lapilli/mpm/heat/temperature_range.hpp"
 
 namespace lapilli {
 
 template <int Dim>
 void NodalHeat<Dim>::require_finite() const {
-  for (const auto& row : rows_->rows()) {
-    for (int i = row.begin; i < row.end; ++i) {
-      if (!std::isfinite(temperature_[row.shift + i])) {
-        const Index node = row.grid_row * problem_.grid.nodes(0) + i;
-        throw RunError(message(
-            "heat: temperature of the node at (", problem_.grid.node_position(node).transpose(),
-            ") is not finite; a boundary condition or source gave such a value, or the step is "
-            "too large for it"));
-      }
-    }
-  }
+  require_finite_nodes<Dim>(problem_.grid, *rows_, temperature_);
 }
 
 template <int Dim>

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "lapilli/core/value_over_step.hpp"
 #include "lapilli/mpm/heat/ambient_over_step.hpp"
 #include "lapilli/mpm/heat/boundary_conditions.hpp"
 
@@ -59,12 +59,6 @@ void find_slope(const Value& flux, SurfaceSites& sites, double from, double to) 
 
 }  // namespace
 
-void SurfaceConditions::Account::add(double value) {
-  const double total = sum + value;
-  dropped += std::abs(sum) >= std::abs(value) ? (sum - total) + value : (value - total) + sum;
-  sum = total;
-}
-
 SurfaceConditions::SurfaceConditions(std::vector<HeatBoundary> laws, double zero)
     : laws_(std::move(laws)), account_(laws_.size()), zero_(zero) {}
 
@@ -110,10 +104,11 @@ bool SurfaceConditions::is_linear() const {
 }
 
 bool SurfaceConditions::jumps_within(double from, double to) const {
+  const double before = std::nextafter(from, -std::numeric_limits<double>::infinity());
   return std::any_of(laws_.begin(), laws_.end(), [&](const HeatBoundary& law) {
     const auto values = values_of(law);
     return std::any_of(values.begin(), values.end(),
-                       [&](const Value* value) { return lapilli::jumps_within(*value, from, to); });
+                       [&](const Value* value) { return value->next_jump(before) < to; });
   });
 }
 
@@ -178,31 +173,6 @@ void SurfaceConditions::evaluate(std::size_t law, SurfaceSites& sites, double fr
       sites.slope[k] = std::min(sites.slope[k], share * sites.hold[k]);
     }
     sites.rate[k] = sites.slope[k] * (second[k] - sites.state[k]);
-  }
-}
-
-std::vector<Balance::Entry> SurfaceConditions::entries() const {
-  std::vector<Balance::Entry> all;
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    all.push_back({name_of_law(laws_[law], law), account_[law].sum + account_[law].dropped});
-  }
-  return all;
-}
-
-void SurfaceConditions::save(Archive& archive, const std::string& name) const {
-  std::vector<double> sums;
-  for (const Account& account : account_) {
-    sums.push_back(account.sum);
-    sums.push_back(account.dropped);
-  }
-  archive.write(name, std::span<const double>(sums));
-}
-
-void SurfaceConditions::load(const Archive& archive, const std::string& name) {
-  std::vector<double> sums(2 * account_.size());
-  archive.read(name, std::span<double>(sums));
-  for (std::size_t law = 0; law < account_.size(); ++law) {
-    account_[law] = {sums[2 * law], sums[2 * law + 1]};
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "lapilli/core/balance.hpp"
 #include "lapilli/core/physics.hpp"
+#include "lapilli/mpm/heat/condition_account.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
 
 namespace lapilli {
@@ -63,23 +64,16 @@ class SurfaceConditions {
   /// Rates and slopes of any law over a step at sites.state.
   void evaluate(std::size_t law, SurfaceSites& sites, double from, double to) const;
 
-  void book(std::size_t law, double heat) { account_[law].add(heat); }  // J came in
-  std::vector<Balance::Entry> entries() const;
-  void save(Archive& archive, const std::string& name) const;
-  void load(const Archive& archive, const std::string& name);
+  ConditionAccount& account() { return account_; }
+  const ConditionAccount& account() const { return account_; }
+  std::vector<Balance::Entry> entries() const { return account_.entries(laws_); }
 
  private:
-  /// A sum that keeps what rounding drops (Neumaier 1974).
-  struct Account {
-    double sum = 0.0, dropped = 0.0;
-    void add(double value);
-  };
-
   /// How much of the coefficient of a prescribed temperature a law may have, up to 1.
   double hold_over(std::size_t law, double from, double to) const;
 
   std::vector<HeatBoundary> laws_;
-  std::vector<Account> account_;
+  ConditionAccount account_;
   double zero_;
   double hold_span_ = 0.0;  // s
 };

@@ -65,9 +65,27 @@ void require_absolute(const HeatProblem<Dim>& problem, const Points& points,
   }
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                               \
-  template TemperatureRange diverged_beyond(const HeatProblem<Dim>&, std::span<const double>); \
-  template void require_absolute(const HeatProblem<Dim>&, const Points&, std::span<const double>);
+template <int Dim>
+void require_finite_nodes(const Grid<Dim>& grid, const NodeRows<Dim>& rows,
+                          std::span<const double> temperature) {
+  for (const auto& row : rows.rows()) {
+    for (int i = row.begin; i < row.end; ++i) {
+      if (!std::isfinite(temperature[row.shift + i])) {
+        const Index node = row.grid_row * grid.nodes(0) + i;
+        throw RunError(message(
+            "heat: temperature of the node at (", grid.node_position(node).transpose(),
+            ") is not finite; a boundary condition or source gave such a value, or the step is "
+            "too large for it"));
+      }
+    }
+  }
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                                                   \
+  template TemperatureRange diverged_beyond(const HeatProblem<Dim>&, std::span<const double>);     \
+  template void require_absolute(const HeatProblem<Dim>&, const Points&, std::span<const double>); \
+  template void require_finite_nodes(const Grid<Dim>&, const NodeRows<Dim>&,                       \
+                                     std::span<const double>);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)

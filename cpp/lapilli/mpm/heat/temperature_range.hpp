@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "lapilli/algebra/node_rows.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 
 namespace lapilli {
@@ -38,5 +39,10 @@ inline TemperatureRange reached(const TemperatureRange& beyond) {
 template <int Dim>
 void require_absolute(const HeatProblem<Dim>& problem, const Points& points,
                       std::span<const double> start);
+
+/// Throws RunError naming the first node whose temperature, stored by place, is not finite.
+template <int Dim>
+void require_finite_nodes(const Grid<Dim>& grid, const NodeRows<Dim>& rows,
+                          std::span<const double> temperature);
 
 }  // namespace lapilli
