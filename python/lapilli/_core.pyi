@@ -1423,8 +1423,10 @@ class Heat:
         how fluxes reach the nodes
     transfer : typing.Literal['auto', 'nodal', 'affine', 'flip', 'pic', 'tpic'], default 'auto'
         what points and nodes hand each other
-    time_integration : typing.Literal['explicit', 'implicit'], default 'explicit'
-        explicit Euler or the implicit theta scheme
+    time_integration : typing.Literal['auto', 'explicit', 'implicit'], default 'auto'
+        explicit Euler, the implicit theta scheme, or what costs least
+    tolerance : float, default 0.0001
+        error of time integration "auto", as a share of the span of temperatures; from 1e-08 to 0.1
     theta : float, default 0.5
         implicitness of the theta scheme; from 0.5 to 1
     solver : typing.Literal['auto', 'direct', 'cg'], default 'auto'
@@ -1450,7 +1452,7 @@ class Heat:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, method: typing.Literal['virtual', 'paper', 'particle', 'node'] = ..., transfer: typing.Literal['auto', 'nodal', 'affine', 'flip', 'pic', 'tpic'] = ..., time_integration: typing.Literal['explicit', 'implicit'] = ..., theta: float = ..., solver: typing.Literal['auto', 'direct', 'cg'] = ..., temperature_unit: typing.Literal['kelvin', 'celsius'] | None = ..., blend: float = ..., normal_smoothing: int = ..., surface_fraction: float = ..., implicit_robin: bool = ..., corner_fit: bool = ..., boundaries: list[Flux | Convection | Radiation | PrescribedTemperature] = ...) -> None:
+    def __init__(self, *, method: typing.Literal['virtual', 'paper', 'particle', 'node'] = ..., transfer: typing.Literal['auto', 'nodal', 'affine', 'flip', 'pic', 'tpic'] = ..., time_integration: typing.Literal['auto', 'explicit', 'implicit'] = ..., tolerance: float = ..., theta: float = ..., solver: typing.Literal['auto', 'direct', 'cg'] = ..., temperature_unit: typing.Literal['kelvin', 'celsius'] | None = ..., blend: float = ..., normal_smoothing: int = ..., surface_fraction: float = ..., implicit_robin: bool = ..., corner_fit: bool = ..., boundaries: list[Flux | Convection | Radiation | PrescribedTemperature] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -1539,12 +1541,20 @@ class Heat:
     def theta(self, value: float) -> None:
         ...
     @property
-    def time_integration(self) -> typing.Literal['explicit', 'implicit']:
+    def time_integration(self) -> typing.Literal['auto', 'explicit', 'implicit']:
         """
-        explicit Euler or the implicit theta scheme
+        explicit Euler, the implicit theta scheme, or what costs least
         """
     @time_integration.setter
-    def time_integration(self, value: typing.Literal['explicit', 'implicit']) -> None:
+    def time_integration(self, value: typing.Literal['auto', 'explicit', 'implicit']) -> None:
+        ...
+    @property
+    def tolerance(self) -> float:
+        """
+        error of time integration "auto", as a share of the span of temperatures
+        """
+    @tolerance.setter
+    def tolerance(self, value: float) -> None:
         ...
     @property
     def transfer(self) -> typing.Literal['auto', 'nodal', 'affine', 'flip', 'pic', 'tpic']:

@@ -47,6 +47,22 @@ NodeRows<Dim>::NodeRows(const Grid<Dim>& grid, std::span<const unsigned char> ac
   }
 }
 
+template <int Dim>
+std::vector<std::array<int, 3>> NodeRows<Dim>::coordinates(std::span<const Index> places) const {
+  const Index layer = Dim == 3 ? grid_.nodes(1) : std::max<Index>(1, grid_.node_count());
+  std::vector<std::array<int, 3>> all;
+  all.reserve(places.size());
+  for (const Index place : places) {
+    const auto next =
+        std::upper_bound(rows_.begin(), rows_.end(), place,
+                         [](Index value, const Row& row) { return value < row.shift + row.begin; });
+    const Row& row = *std::prev(next);
+    all.push_back({static_cast<int>(place - row.shift), static_cast<int>(row.grid_row % layer),
+                   static_cast<int>(row.grid_row / layer)});
+  }
+  return all;
+}
+
 template class NodeRows<1>;
 template class NodeRows<2>;
 template class NodeRows<3>;

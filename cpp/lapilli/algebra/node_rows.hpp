@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,8 @@ class NodeRows {
     const Index row = node / grid_.nodes(0);
     return shift_[row] + (node - row * grid_.nodes(0));
   }
+  /// Coordinates on the grid of active nodes, given by their places.
+  std::vector<std::array<int, 3>> coordinates(std::span<const Index> places) const;
   /// Distance in places from nodes of `row` to their neighbours `rows_away` grid rows away.
   Index distance(const Row& row, Index rows_away) const {
     return shift_[row.grid_row + rows_away] - row.shift;

@@ -24,6 +24,8 @@ struct StepLimit {
   double hard = std::numeric_limits<double>::infinity();       // s; larger ones are refused
   double automatic = std::numeric_limits<double>::infinity();  // s; what step = "auto" takes
   std::string reason;                                          // "explicit heat, 0.8 h^2/alpha"
+  double stop = std::numeric_limits<double>::infinity();       // s; no step goes beyond this time
+  bool even = false;  // up to the next stop or frame, steps of one size suit best
 };
 
 /// What one physics did in one step.

@@ -36,8 +36,9 @@ Simulation::Simulation(std::unique_ptr<Points> points,
   watch_balances();
 }
 
-double Simulation::next_step_size() const {
-  double size = clock_.fixed_step > 0.0 ? clock_.fixed_step : clock_.largest_step;
+Simulation::NextStep Simulation::next_step() const {
+  NextStep next{clock_.fixed_step > 0.0 ? clock_.fixed_step : clock_.largest_step};
+  double& size = next.size;
   for (const auto& physics : physics_) {
     const StepLimit limit = physics->step_limit();
     if (clock_.fixed_step > 0.0) {
@@ -46,11 +47,13 @@ double Simulation::next_step_size() const {
               ")");
     } else {
       size = std::min(size, limit.automatic);
+      next.stop = std::min(next.stop, limit.stop);
+      next.even = next.even || limit.even;
     }
   }
   require(std::isfinite(size) && size > 0.0,
           "no physics of this scene limits the step: give time.step or time.steps");
-  return size;
+  return next;
 }
 
 void Simulation::require_whole() const {
@@ -62,15 +65,18 @@ void Simulation::require_whole() const {
 
 StepReport Simulation::step(double until, bool output_due) {
   require_whole();
-  double size = next_step_size();
-  const double left = until - time_;
+  const NextStep next = next_step();
+  double size = next.size;
+  const double end = std::min(until, next.stop), left = end - time_;
   // A remainder below a millionth of a step is rounding, not a step of its own.
   if (left < size * (1.0 + 1e-6)) {
     size = left;
+  } else if (next.even && std::isfinite(left)) {
+    size = left / std::ceil(left / size * (1.0 - 1e-6));
   }
-  StepReport report = advance(size, output_due || size == left);
+  StepReport report = advance(size, output_due || (size == left && end == until));
   if (size == left && report.accepted == size) {
-    time_ = until;
+    time_ = end;
   }
   return report;
 }

@@ -33,7 +33,7 @@ class Simulation {
 
   /// The step the clock would take now. Throws std::invalid_argument above a hard limit, naming the
   /// limit and its reason.
-  double next_step_size() const;
+  double next_step_size() const { return next_step().size; }
 
   /// One step, cut so as not to pass `until`. Throws RunError with step and time when it fails;
   /// after a failure that left fields half evolved every further step throws it again.
@@ -52,6 +52,12 @@ class Simulation {
   void load(const Archive& archive);
 
  private:
+  struct NextStep {
+    double size;                                            // s
+    double stop = std::numeric_limits<double>::infinity();  // s, as in StepLimit
+    bool even = false;
+  };
+  NextStep next_step() const;
   StepReport advance(double size, bool output_due);
   void require_whole() const;
   /// Remember the largest amount that every balance has seen.

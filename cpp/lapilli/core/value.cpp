@@ -78,6 +78,11 @@ double Table::next_jump(double time) const {
   return never;
 }
 
+double Table::next_entry(double time) const {
+  const auto next = std::upper_bound(times.begin(), times.end(), time);
+  return next != times.end() ? *next : never;
+}
+
 double Value::at(double time) const {
   if (const auto* constant = std::get_if<double>(&form_)) {
     return *constant;
@@ -99,6 +104,11 @@ double Value::mean(double begin, double end) const {
 double Value::next_jump(double time) const {
   const auto* table = std::get_if<Table>(&form_);
   return table != nullptr ? table->next_jump(time) : never;
+}
+
+double Value::next_entry(double time) const {
+  const auto* table = std::get_if<Table>(&form_);
+  return table != nullptr ? table->next_entry(time) : never;
 }
 
 double Value::largest() const {

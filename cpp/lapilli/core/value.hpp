@@ -26,6 +26,8 @@ struct Table {
   double mean(double begin, double end) const;
   /// The first jump after `time`, s; infinite where there is none.
   double next_jump(double time) const;
+  /// The first time of an entry after `time`, s; infinite where there is none.
+  double next_entry(double time) const;
 };
 
 /// A function over whole arrays: positions (rows x 3, m), the quantity there (may be empty), the
@@ -49,10 +51,11 @@ class Value {
 
   /// The value at one time of a constant or a table; 0 for a function.
   double at(double time) const;
-  /// As Table::before, mean and next_jump; a function has neither a mean (0) nor jumps.
+  /// As of a table; a function has neither a mean (0) nor jumps nor entries.
   double before(double time) const;
   double mean(double begin, double end) const;
   double next_jump(double time) const;
+  double next_entry(double time) const;
   /// The largest and the least value of a constant or a table; infinite for a function.
   double largest() const;
   double least() const;

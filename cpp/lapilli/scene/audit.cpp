@@ -81,9 +81,15 @@ constexpr Rule rules[] = {
      "heat.time_integration is not implicit"},
     {"heat.solver",
      [](const Scene& scene, std::size_t) {
-       return scene.heat->time_integration != TimeIntegration::implicit_theta;
+       return scene.heat->time_integration == TimeIntegration::explicit_euler;
      },
-     "heat.time_integration is not implicit"},
+     "heat.time_integration is explicit"},
+    {"heat.tolerance",
+     [](const Scene& scene, std::size_t) {
+       return scene.heat->time_integration != TimeIntegration::automatic || scene.time.step ||
+              scene.time.steps;
+     },
+     "heat.time_integration is not auto, or the step is given"},
     {"heat.blend",
      [](const Scene& scene, std::size_t) {
        const HeatTransfer transfer = scene.heat->transfer;

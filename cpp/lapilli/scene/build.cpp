@@ -102,6 +102,7 @@ std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
     }
   }
   problem.frame = common_motion(scene);
+  problem.fixed_steps = scene.time.step || scene.time.steps;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const Body& body = scene.bodies[k];
     problem.bodies.push_back({material_of<Thermal>(body), half_width_of(scene, filled[k]),

@@ -167,3 +167,10 @@ def pulled_block() -> lp.Scene:
     pull = lp.SurfaceTraction(line=[(1.13, 1.17), (0.03, 1.17)], traction=(0, 100.0))
     scene.quasi_static = lp.QuasiStatic(supports=[base], tractions=[pull])
     return scene
+
+
+def slow_disk() -> lp.Scene:
+    """Long enough for implicit steps."""
+    scene = automatic(scenes.disk(tolerance=1e-2))
+    scene.time.end = 40.0
+    return scene

@@ -75,7 +75,7 @@ CutCellHeat<Dim>::CutCellHeat(Points& points, HeatProblem<Dim> problem)
       }
     }
     one.increment.assign(part.capacity.size(), 0.0);
-    one.unknown_place = part.unknown_place;
+    one.near.unknown_place = part.unknown_place;
     one.part = std::move(part);
     if (is_implicit()) {
       number_all_leaders(one);
@@ -90,6 +90,9 @@ CutCellHeat<Dim>::CutCellHeat(Points& points, HeatProblem<Dim> problem)
   }
   connect_surface(rates);
   bound_step(rates);
+  if (is_adaptive()) {
+    begin_adaptive_steps();
+  }
   initial_ = balances().front().stored;
 }
 
@@ -115,6 +118,14 @@ StepLimit CutCellHeat<Dim>::step_limit() const {
   // two, so that factors of the surface serve many.
   constexpr double smallest = 1.0 / 16.0, growth = 0.25;
   StepLimit limit = limit_;
+  if (adaptive_.are_implicit()) {
+    limit.hard = std::numeric_limits<double>::infinity();
+    limit.automatic = adaptive_.size();
+    limit.stop = next_entry(time_);
+    limit.even = true;
+    limit.reason = adaptive_.reason();
+    return limit;
+  }
   const double since = time_ - laws_.last_jump(time_);
   if (!is_implicit() && !laws_.empty() && std::isfinite(limit.automatic)) {
     const double share = std::clamp(growth * since / limit_.automatic, smallest, 1.0);
@@ -124,11 +135,10 @@ StepLimit CutCellHeat<Dim>::step_limit() const {
 }
 
 template <int Dim>
-SurfaceTerm::Vector CutCellHeat<Dim>::gather(const Solved& one,
-                                             std::span<const double> values) const {
-  SurfaceTerm::Vector some(static_cast<Eigen::Index>(one.unknown_place.size()));
-  for (std::size_t k = 0; k < one.unknown_place.size(); ++k) {
-    some[static_cast<Eigen::Index>(k)] = values[one.unknown_place[k]];
+SurfaceTerm::Vector CutCellHeat<Dim>::gather(const System& system, std::span<const double> values) {
+  SurfaceTerm::Vector some(static_cast<Eigen::Index>(system.unknown_place.size()));
+  for (std::size_t k = 0; k < system.unknown_place.size(); ++k) {
+    some[static_cast<Eigen::Index>(k)] = values[system.unknown_place[k]];
   }
   return some;
 }
@@ -136,23 +146,44 @@ SurfaceTerm::Vector CutCellHeat<Dim>::gather(const Solved& one,
 template <int Dim>
 StepReport CutCellHeat<Dim>::advance(const Step& step) {
   StepReport report{step.size, 0, 0.0};
+  if (adaptive_.are_implicit()) {
+    report = advance_adaptively(step);
+    finish_step(step);
+    return report;
+  }
   for (Solved& one : solved_) {
-    if (is_implicit()) {
-      const StepReport part = advance_implicitly(one, step);
-      report.iterations = std::max(report.iterations, part.iterations);
-      report.residual = std::max(report.residual, part.residual);
+    if (!is_implicit()) {
+      take_explicit_step(one, step);
       continue;
     }
-    conduct(one, step);
-    release_sources(one, step);
-    exchange_with_surroundings(one, step);
-    finish(one);
+    const StepReport part = advance_implicitly(one, step);
+    report.iterations = std::max(report.iterations, part.iterations);
+    report.residual = std::max(report.residual, part.residual);
   }
+  finish_step(step);
+  return report;
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::take_explicit_step(Solved& one, const Step& step) {
+  conduct(one, step);
+  release_sources(one, step);
+  exchange_with_surroundings(one, step);
+  if (is_adaptive()) {
+    watch_curvature(one, step);
+  }
+  finish(one);
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::finish_step(const Step& step) {
   time_ = step.time + step.size;
   if (step.output_due || step.index % 128 == 0) {
     require_finite();
   }
-  return report;
+  if (is_adaptive()) {
+    choose_steps(step);
+  }
 }
 
 template <int Dim>

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "lapilli/mpm/heat/adaptive_steps.hpp"
 #include "lapilli/mpm/heat/heat_part.hpp"
 #include "lapilli/mpm/heat/nodal_range.hpp"
 #include "lapilli/mpm/heat/point_fields.hpp"
@@ -37,18 +38,27 @@ class CutCellHeat final : public Physics, public HasSurface {
   void load(const Archive& archive) override;
 
  private:
+  /// Laws as forms on nodes that lead, and the solver of these.
+  struct System {
+    std::vector<Index> unknown_place;
+    SurfaceTerm surface;
+    SurfaceSolver solver;
+    SurfaceTerm::Matrix conduction;  // K' of the unknowns; empty where it is taken explicitly
+    SurfaceTerm::Vector error;       // K, estimated, of adaptive steps so far
+    SurfaceTerm::Vector rate;        // W, at the start of the first of them; empty afterwards
+  };
+
   /// A part with what its steps need.
   struct Solved {
     HeatPart<Dim> part;
     std::vector<WeakExchange> weak;     // laws that stand in the conduction
-    SurfaceTerm surface;                // the others
-    std::vector<double> exchange_rate;  // of the others' slopes, by law, per W/(m^2 K), 1/s
-    SurfaceSolver solver;
-    std::vector<Index> unknown_place;  // of the solver: near the surface, or all where implicit
-    std::vector<double> inverse;       // 1/C', one for followers
-    std::vector<double> increment;     // K
+    System near;                        // the others, on the nodes near the surface
+    std::vector<double> exchange_rate;  // of their slopes, by law, per W/(m^2 K), 1/s
+    std::unique_ptr<System> all;        // every law on every node, for implicit steps
+    std::vector<double> inverse;        // 1/C', one for followers
+    std::vector<double> increment;      // K
     NodalRange<Dim> range;
-    SurfaceTerm::Matrix conduction;  // K' of the unknowns, implicit steps only
+    std::vector<double> earlier;  // K/s, of the step before; kept now and then by adaptive steps
   };
 
   void bound_step(const std::vector<double>& rates);
@@ -56,8 +66,12 @@ class CutCellHeat final : public Physics, public HasSurface {
   bool is_implicit() const {
     return problem_.settings.time_integration == TimeIntegration::implicit_theta;
   }
+  bool is_adaptive() const {
+    return problem_.settings.time_integration == TimeIntegration::automatic;
+  }
 
   // The phases of an explicit step of one part.
+  void take_explicit_step(Solved& one, const Step& step);
   void conduct(Solved& one, const Step& step);
   /// Weak laws at the start of the step, and what their middle changes; heat by law, J.
   void exchange_weakly(Solved& one, const Step& step, std::span<double> heat);
@@ -66,13 +80,38 @@ class CutCellHeat final : public Physics, public HasSurface {
   void exchange_with_surroundings(Solved& one, const Step& step);
   bool bears_explicitly(const Solved& one, double step) const;
   void finish(Solved& one) const;
+  void finish_step(const Step& step);
   void keep_in_range(Solved& one) const;
 
   void number_all_leaders(Solved& one) const;
-  void prepare(Solved& one, double scale) const;
+  void prepare(const Solved& one, System& system, double scale) const;
   StepReport advance_implicitly(Solved& one, const Step& step);
   void take_implicit_step(Solved& one, double begin, double size, double weight,
                           StepReport& report);
+  // Adaptive steps: TR-BDF2, or explicit ones.
+  struct Stage;
+  struct Attempt;
+  void begin_adaptive_steps();
+  void choose_steps(const Step& last);
+  double next_entry(double time) const;
+  /// Keep the rates of change of one step, or compare them with those of the step before.
+  void watch_curvature(Solved& one, const Step& step);
+  /// `last`: size of the last explicit step, s.
+  void begin_implicit_steps(double last);
+  StepReport advance_adaptively(const Step& step);
+  /// Explicit steps over [begin, begin + size], where implicit ones are refused.
+  void cover_explicitly(const Step& step, double begin, double size);
+  bool try_all(double begin, double size, std::vector<Attempt>& attempts, double& error);
+  bool try_implicitly(Solved& one, double begin, double size, Attempt& attempt);
+  bool solve_stage(Solved& one, const Stage& stage, SurfaceTerm::Vector& trial, int& iterations);
+  SurfaceTerm::Vector rates(Solved& one, const SurfaceTerm::Vector& at, double from, double to,
+                            double factor, std::span<double> of_laws, double& of_sources);
+  void commit(Solved& one, const Attempt& attempt);
+  double largest_error() const;
+  void save_stepping(Archive& archive) const;
+  void load_stepping(const Archive& archive);
+  void widen_span();
+
   /// Source heat by place over a step (J), added to `heat`; returns the sum.
   double source_heat(const Solved& one, std::span<const double> temperature, double begin,
                      double size, std::span<double> heat) const;
@@ -80,7 +119,7 @@ class CutCellHeat final : public Physics, public HasSurface {
   void book_laws(const Solved& one, double size, const SurfaceTerm::Vector& rise, double given);
 
   void require_finite() const;
-  SurfaceTerm::Vector gather(const Solved& one, std::span<const double> values) const;
+  static SurfaceTerm::Vector gather(const System& system, std::span<const double> values);
 
   Points& points_;
   HeatProblem<Dim> problem_;
@@ -92,6 +131,11 @@ class CutCellHeat final : public Physics, public HasSurface {
   std::vector<std::size_t> part_of_;     // by body
   double initial_ = 0.0, source_ = 0.0;  // J
   double time_ = 0.0;                    // s, of the temperatures
+
+  AdaptiveSteps adaptive_;
+  double lowest_ = 0.0, highest_ = 0.0;  // K, of all temperatures so far, for adaptive steps
+  double explicit_error_ = 0.0;          // K, estimated
+  Index implicit_steps_ = 0;
 
   TemperatureRange range_;  // that conduction and exchange can reach
   std::unique_ptr<PointArray> output_temperature_, output_flux_;  // made when first looked at

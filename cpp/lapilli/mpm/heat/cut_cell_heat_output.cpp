@@ -74,7 +74,7 @@ std::vector<std::pair<std::string, double>> CutCellHeat<Dim>::diagnostics() cons
   double area = 0.0, free = 0.0;
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     for (const Solved& one : solved_) {
-      for (const double a : one.surface.sites(law).area) {
+      for (const double a : one.near.surface.sites(law).area) {
         area += a;
       }
     }
@@ -86,7 +86,14 @@ std::vector<std::pair<std::string, double>> CutCellHeat<Dim>::diagnostics() cons
   for (const Solved& one : solved_) {
     stray = std::max(stray, one.range.stray(one.part.temperature, range_));
   }
-  return {{"surface_area", area}, {"free_surface_area", free}, {"nodal_stray", stray}};
+  std::vector<std::pair<std::string, double>> all = {
+      {"surface_area", area}, {"free_surface_area", free}, {"nodal_stray", stray}};
+  if (is_adaptive()) {
+    const double span = std::max(highest_ - lowest_, 1e-300);
+    all.emplace_back("time_error", largest_error() / span);
+    all.emplace_back("implicit_steps", static_cast<double>(implicit_steps_));
+  }
+  return all;
 }
 
 template <int Dim>
@@ -95,7 +102,7 @@ SurfaceView CutCellHeat<Dim>::surface() const {
   view.dimension = Dim;
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     for (const Solved& one : solved_) {
-      view.append(one.surface.sites(law));
+      view.append(one.near.surface.sites(law));
     }
   }
   return view;
@@ -105,7 +112,15 @@ template <int Dim>
 void CutCellHeat<Dim>::save(Archive& archive) const {
   for (std::size_t k = 0; k < solved_.size(); ++k) {
     archive.write(message("heat/temperature ", k), solved_[k].part.temperature);
-    solved_[k].solver.save(archive, message("heat/solver ", k));
+    if (!is_implicit()) {
+      solved_[k].near.solver.save(archive, message("heat/solver ", k));
+    }
+    if (const auto& all = solved_[k].all) {
+      all->solver.save(archive, message("heat/solver of all ", k));
+    }
+  }
+  if (is_adaptive()) {
+    save_stepping(archive);
   }
   archive.write("heat/initial", initial_);
   archive.write("heat/source", source_);
@@ -115,9 +130,17 @@ void CutCellHeat<Dim>::save(Archive& archive) const {
 
 template <int Dim>
 void CutCellHeat<Dim>::load(const Archive& archive) {
+  if (is_adaptive()) {
+    load_stepping(archive);
+  }
   for (std::size_t k = 0; k < solved_.size(); ++k) {
     archive.read(message("heat/temperature ", k), std::span<double>(solved_[k].part.temperature));
-    solved_[k].solver.load(archive, message("heat/solver ", k));
+    if (!is_implicit()) {
+      solved_[k].near.solver.load(archive, message("heat/solver ", k));
+    }
+    if (const auto& all = solved_[k].all) {
+      all->solver.load(archive, message("heat/solver of all ", k));
+    }
   }
   initial_ = archive.read_number("heat/initial");
   source_ = archive.read_number("heat/source");

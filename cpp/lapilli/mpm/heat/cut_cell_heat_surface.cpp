@@ -32,7 +32,11 @@ void CutCellHeat<Dim>::connect_surface(std::vector<double>& rates) {
         one.exchange_rate.push_back(elsewhere[law] ? 0.0 : fastest_exchange(one.part, law));
       }
     }
-    one.surface = SurfaceTerm(laws_, std::move(one.part.surface), elsewhere);
+    if (is_implicit()) {
+      elsewhere.assign(laws_.size(), true);
+    }
+    one.near.surface = SurfaceTerm(
+        laws_, is_adaptive() ? one.part.surface : std::move(one.part.surface), elsewhere);
     one.part.nodal = {};
   }
 }
@@ -72,13 +76,13 @@ void CutCellHeat<Dim>::centre_weak_exchange(Solved& one, double step, std::span<
 }
 
 template <int Dim>
-void CutCellHeat<Dim>::prepare(Solved& one, double scale) const {
-  if (one.solver.has_base(scale)) {
+void CutCellHeat<Dim>::prepare(const Solved& one, System& system, double scale) const {
+  if (system.solver.has_base(scale)) {
     return;
   }
-  const SurfaceTerm::Vector capacity = gather(one, one.part.capacity);
+  const SurfaceTerm::Vector capacity = gather(system, one.part.capacity);
   SurfaceTerm::Matrix base(capacity.size(), capacity.size());
-  base = scale > 0.0 ? SurfaceTerm::Matrix(scale * one.conduction) : base;
+  base = scale > 0.0 ? SurfaceTerm::Matrix(scale * system.conduction) : base;
   std::vector<Eigen::Triplet<double>> diagonal;
   for (Eigen::Index k = 0; k < capacity.size(); ++k) {
     diagonal.emplace_back(static_cast<int>(k), static_cast<int>(k), capacity[k]);
@@ -87,22 +91,25 @@ void CutCellHeat<Dim>::prepare(Solved& one, double scale) const {
   stored.setFromTriplets(diagonal.begin(), diagonal.end());
   base += stored;
   const HeatSolver choice = problem_.settings.solver;
-  const std::size_t limit = !is_implicit() ? direct_limit
-                            : Dim == 3     ? std::size_t{30'000}
-                                           : std::size_t{400'000};
+  const bool whole = scale > 0.0;
+  const std::size_t limit = !whole     ? direct_limit
+                            : Dim == 3 ? std::size_t{30'000}
+                                       : std::size_t{400'000};
+  const std::size_t size = system.unknown_place.size();
   // Near a surface in space a factor fills up; without a prescribed temperature a few rounds of
   // conjugate gradients do.
   bool holds = false;
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     holds = holds || laws_.holds_temperature(law);
   }
-  const bool few_rounds = Dim == 3 && !is_implicit() && !holds && one.unknown_place.size() > 2000;
-  const bool direct =
-      choice == HeatSolver::direct ||
-      (choice == HeatSolver::automatic && !few_rounds && one.unknown_place.size() <= limit);
-  one.solver.set_base(
+  const bool few_rounds = Dim == 3 && !whole && !holds && size > 2000;
+  const bool direct = choice == HeatSolver::direct ||
+                      (choice == HeatSolver::automatic && !few_rounds && size <= limit);
+  system.solver.set_base(
       std::move(base), scale,
-      direct ? SurfaceSolver::Method::direct : SurfaceSolver::Method::conjugate_gradient);
+      direct ? SurfaceSolver::Method::direct : SurfaceSolver::Method::conjugate_gradient,
+      direct ? one.part.rows->coordinates(system.unknown_place)
+             : std::vector<std::array<int, 3>>{});
 }
 
 template <int Dim>
@@ -110,30 +117,32 @@ bool CutCellHeat<Dim>::bears_explicitly(const Solved& one, double step) const {
   constexpr double most = 1.5;  // automatic steps of conduction alone have 1.2, 2 is the end
   double sum = 0.0;
   for (std::size_t law = 0; law < laws_.size(); ++law) {
-    sum += one.surface.steepest(law) * one.exchange_rate[law];
+    sum += one.near.surface.steepest(law) * one.exchange_rate[law];
   }
   return sum == 0.0 || step * (2.0 / limit_.hard + sum) <= most;
 }
 
 template <int Dim>
 void CutCellHeat<Dim>::exchange_with_surroundings(Solved& one, const Step& step) {
-  if (one.surface.empty() || one.unknown_place.empty()) {
+  System& near = one.near;
+  if (near.surface.empty() || near.unknown_place.empty()) {
     return;
   }
-  one.surface.evaluate(laws_, gather(one, one.part.temperature), step.time, step.time + step.size);
-  const SurfaceTerm::Vector before = gather(one, one.increment);
-  const SurfaceTerm::Vector capacity = gather(one, one.part.capacity);
+  near.surface.evaluate(laws_, gather(near, one.part.temperature), step.time,
+                        step.time + step.size);
+  const SurfaceTerm::Vector before = gather(near, one.increment);
+  const SurfaceTerm::Vector capacity = gather(near, one.part.capacity);
   SurfaceTerm::Vector rise, later = SurfaceTerm::Vector::Zero(before.size());
   if (!bears_explicitly(one, step.size)) {
-    prepare(one, 0.0);
-    rise = one.solver.solve(one.surface, step.size,
-                            capacity.cwiseProduct(before) + step.size * one.surface.force());
+    prepare(one, near, 0.0);
+    rise = near.solver.solve(near.surface, step.size,
+                             capacity.cwiseProduct(before) + step.size * near.surface.force());
     later = rise;
   } else {
-    rise = before + step.size * one.surface.force().cwiseQuotient(capacity);
+    rise = before + step.size * near.surface.force().cwiseQuotient(capacity);
   }
-  for (std::size_t k = 0; k < one.unknown_place.size(); ++k) {
-    one.increment[one.unknown_place[k]] = rise[static_cast<Eigen::Index>(k)];
+  for (std::size_t k = 0; k < near.unknown_place.size(); ++k) {
+    one.increment[near.unknown_place[k]] = rise[static_cast<Eigen::Index>(k)];
   }
   book_laws(one, step.size, later, capacity.dot(rise - before));
 }
@@ -143,7 +152,7 @@ void CutCellHeat<Dim>::book_laws(const Solved& one, double size, const SurfaceTe
                                  double given) {
   std::vector<double> heat(laws_.size());
   for (std::size_t law = 0; law < laws_.size(); ++law) {
-    heat[law] = size * one.surface.heat(law, rise);
+    heat[law] = size * one.near.surface.heat(law, rise);
   }
   laws_.account().book(heat, given);
 }
@@ -152,7 +161,7 @@ void CutCellHeat<Dim>::book_laws(const Solved& one, double size, const SurfaceTe
   template void CutCellHeat<Dim>::connect_surface(std::vector<double>&);                       \
   template void CutCellHeat<Dim>::exchange_weakly(Solved&, const Step&, std::span<double>);    \
   template void CutCellHeat<Dim>::centre_weak_exchange(Solved&, double, std::span<double>);    \
-  template void CutCellHeat<Dim>::prepare(Solved&, double) const;                              \
+  template void CutCellHeat<Dim>::prepare(const Solved&, System&, double) const;               \
   template bool CutCellHeat<Dim>::bears_explicitly(const Solved&, double) const;               \
   template void CutCellHeat<Dim>::exchange_with_surroundings(Solved&, const Step&);            \
   template void CutCellHeat<Dim>::book_laws(const Solved&, double, const SurfaceTerm::Vector&, \

@@ -13,19 +13,20 @@ void CutCellHeat<Dim>::number_all_leaders(Solved& one) const {
   const auto size = static_cast<std::size_t>(part.rows->size());
   std::vector<Index> any(size, -1), unknown(size, -1);
   Index known = 0;
-  one.unknown_place.clear();
+  one.all = std::make_unique<System>();
+  System& all = *one.all;
   for (const auto& row : part.rows->rows()) {
     for (Index place = row.shift + row.begin; place < row.shift + row.end; ++place) {
       if (part.capacity[place] > 0.0) {
-        unknown[place] = static_cast<Index>(one.unknown_place.size());
-        one.unknown_place.push_back(place);
+        unknown[place] = static_cast<Index>(all.unknown_place.size());
+        all.unknown_place.push_back(place);
       }
       if (part.capacity[place] > 0.0 || part.followers.follows(place)) {
         any[place] = known++;
       }
     }
   }
-  const auto count = static_cast<Eigen::Index>(one.unknown_place.size());
+  const auto count = static_cast<Eigen::Index>(all.unknown_place.size());
   std::vector<Eigen::Triplet<double>> entries, lower;
   for (std::size_t place = 0; place < size; ++place) {
     const auto row = static_cast<int>(any[place]);
@@ -42,7 +43,7 @@ void CutCellHeat<Dim>::number_all_leaders(Solved& one) const {
   part.conduction->append_triplets(any, 1.0, lower);
   triangle.setFromTriplets(lower.begin(), lower.end());
   const Matrix whole = triangle.template selfadjointView<Eigen::Lower>();
-  one.conduction = Matrix(prolongation.transpose()) * Matrix(whole * prolongation);
+  all.conduction = Matrix(prolongation.transpose()) * Matrix(whole * prolongation);
 
   // The surface counted the nodes near it; now it counts all.
   std::vector<Eigen::Triplet<double>> renumbered;
@@ -52,76 +53,93 @@ void CutCellHeat<Dim>::number_all_leaders(Solved& one) const {
   }
   Matrix choice(static_cast<Eigen::Index>(part.unknown_place.size()), count);
   choice.setFromTriplets(renumbered.begin(), renumbered.end());
-  for (SurfaceTerm::Part& law : one.part.surface) {
+  std::vector<SurfaceTerm::Part> surface = one.part.surface;
+  for (SurfaceTerm::Part& law : surface) {
     law.trace = SurfaceTerm::Trace(Matrix(law.trace) * choice);
   }
+  // Weak laws have their couplings in the conduction: at each node the rest is left.
+  const SurfaceTerm::Trace rows(prolongation);
+  for (const WeakExchange& weak : one.weak) {
+    SurfaceTerm::Part& law = surface[weak.law];
+    law.sites.area = weak.area;
+    law.sites.hold.clear();
+    std::vector<Eigen::Triplet<double>> here;
+    for (std::size_t k = 0; k < weak.place.size(); ++k) {
+      here.emplace_back(static_cast<int>(k), static_cast<int>(any[weak.place[k]]), 1.0);
+    }
+    SurfaceTerm::Trace nodes(static_cast<Eigen::Index>(weak.place.size()), known);
+    nodes.setFromTriplets(here.begin(), here.end());
+    law.trace = SurfaceTerm::Trace(nodes * rows);
+  }
+  all.surface = SurfaceTerm(laws_, std::move(surface), std::vector<bool>(laws_.size(), false));
 }
 
 template <int Dim>
 void CutCellHeat<Dim>::take_implicit_step(Solved& one, double begin, double size, double weight,
                                           StepReport& report) {
   using Vector = SurfaceTerm::Vector;
+  System& all = *one.all;
   const double end = begin + size;
   bool linear = laws_.is_linear();
   for (const auto& own : one.part.sources) {
     linear = linear && !problem_.bodies[own.body].source.is_function();
   }
   const int iterations_allowed = linear ? 1 : 30;
-  const Vector start = gather(one, one.part.temperature);
-  const Vector capacity = gather(one, one.part.capacity);
+  const Vector start = gather(all, one.part.temperature);
+  const Vector capacity = gather(all, one.part.capacity);
   std::vector<double> nodal(one.part.temperature);
   const auto sources_at = [&](const Vector& at, double factor, double& sum) {
     if (one.part.sources.empty()) {
       return Vector(Vector::Zero(at.size()));
     }
-    for (std::size_t k = 0; k < one.unknown_place.size(); ++k) {
-      nodal[one.unknown_place[k]] = at[static_cast<Eigen::Index>(k)];
+    for (std::size_t k = 0; k < all.unknown_place.size(); ++k) {
+      nodal[all.unknown_place[k]] = at[static_cast<Eigen::Index>(k)];
     }
     one.part.followers.prolong(nodal);
     std::vector<double> heat(nodal.size(), 0.0);
     sum = factor * source_heat(one, nodal, begin, size, heat);
-    return Vector(factor * gather(one, heat));
+    return Vector(factor * gather(all, heat));
   };
   const Vector none = Vector::Zero(start.size());
   std::vector<double> of_laws(laws_.size(), 0.0);  // J
   const auto add_laws = [&](double factor) {
     for (std::size_t law = 0; law < of_laws.size(); ++law) {
-      of_laws[law] += factor * one.surface.heat(law, none);
+      of_laws[law] += factor * all.surface.heat(law, none);
     }
   };
   // What the start of the step contributes.
   Vector known = none, sources = none;
   double source_start = 0.0, source_end = 0.0;
   if (weight < 1.0) {
-    one.surface.evaluate(laws_, start, begin, end);
-    known = (1.0 - weight) * size * one.surface.force();
+    all.surface.evaluate(laws_, start, begin, end);
+    known = (1.0 - weight) * size * all.surface.force();
     add_laws((1.0 - weight) * size);
     sources = sources_at(start, 1.0 - weight, source_start);
   }
   Vector trial = start;
-  prepare(one, weight * size);
+  prepare(one, all, weight * size);
   double change = 0.0, scale = 0.0;
   Vector source_now = none;
   const auto balance = [&]() {
     return Vector(capacity.cwiseProduct(trial - start) +
-                  size * (one.conduction * (start + weight * (trial - start))));
+                  size * (all.conduction * (start + weight * (trial - start))));
   };
   for (int iteration = 0; iteration < iterations_allowed; ++iteration) {
-    one.surface.evaluate(laws_, trial, begin, end);
+    all.surface.evaluate(laws_, trial, begin, end);
     source_now = sources_at(trial, weight, source_end);
     const Vector residual =
-        known + weight * size * one.surface.force() + sources + source_now - balance();
-    const Vector rise = one.solver.solve(one.surface, weight * size, residual);
+        known + weight * size * all.surface.force() + sources + source_now - balance();
+    const Vector rise = all.solver.solve(all.surface, weight * size, residual);
     trial += rise;
     change = rise.cwiseAbs().maxCoeff();
     scale = trial.cwiseAbs().maxCoeff();
-    report.iterations += std::max(1, one.solver.iterations());
+    report.iterations += std::max(1, all.solver.iterations());
     if (change <= 1e-13 * scale) {
       break;
     }
   }
-  for (std::size_t k = 0; k < one.unknown_place.size(); ++k) {
-    nodal[one.unknown_place[k]] = trial[static_cast<Eigen::Index>(k)];
+  for (std::size_t k = 0; k < all.unknown_place.size(); ++k) {
+    nodal[all.unknown_place[k]] = trial[static_cast<Eigen::Index>(k)];
   }
   one.range.restore(one.part, range_, nodal);
   if (weight < 1.0 && one.range.stray(nodal, range_) > 1e-10 * (range_.high - range_.low)) {
@@ -134,13 +152,13 @@ void CutCellHeat<Dim>::take_implicit_step(Solved& one, double begin, double size
                            " iterations, change ", change, " K; take smaller steps"));
   }
   report.residual = std::max(report.residual, scale > 0.0 ? change / scale : 0.0);
-  one.surface.evaluate(laws_, trial, begin, end);
+  all.surface.evaluate(laws_, trial, begin, end);
   add_laws(weight * size);
   // Laws gave what nodes took up beyond sources: exact where a stiff law leaves a small difference
   // of large rates.
   source_ += source_start + source_end;
   laws_.account().book(of_laws, capacity.dot(trial - start) - (source_start + source_end));
-  for (const Index place : one.unknown_place) {
+  for (const Index place : all.unknown_place) {
     one.part.temperature[place] = nodal[place];
   }
   one.part.followers.prolong(one.part.temperature);

@@ -36,6 +36,7 @@ struct HeatProblem {
   DistanceFunction distance;  // signed distance to the union of the bodies; may be empty
   bool moving = false;        // whether another physics moves the points
   ContactFaces walls{};       // faces of the grid that bodies rest against: no heat passes there
+  bool fixed_steps = false;   // whether the user has chosen the step
   std::optional<Motion> frame{};  // the one prescribed motion of all bodies, where they share one
 };
 

@@ -57,12 +57,18 @@ struct Names<HeatTransfer> {
 };
 
 /// How the nodal temperatures are advanced.
-enum class TimeIntegration { explicit_euler, implicit_theta };
+enum class TimeIntegration {
+  automatic,       // explicit while that is cheaper, then implicit with steps from a tolerance
+  explicit_euler,  //
+  implicit_theta
+};
 
 template <>
 struct Names<TimeIntegration> {
   static constexpr std::pair<TimeIntegration, const char*> values[] = {
-      {TimeIntegration::explicit_euler, "explicit"}, {TimeIntegration::implicit_theta, "implicit"}};
+      {TimeIntegration::automatic, "auto"},
+      {TimeIntegration::explicit_euler, "explicit"},
+      {TimeIntegration::implicit_theta, "implicit"}};
 };
 
 /// Linear solver of the theta scheme.
@@ -160,8 +166,9 @@ using HeatBoundary = std::variant<Flux, Convection, Radiation, PrescribedTempera
 struct HeatSettings {
   FluxMethod method = FluxMethod::virtual_flux;
   HeatTransfer transfer = HeatTransfer::automatic;
-  TimeIntegration time_integration = TimeIntegration::explicit_euler;
-  double theta = 0.5;  // 0.5 Crank-Nicolson, 1 backward Euler
+  TimeIntegration time_integration = TimeIntegration::automatic;
+  double theta = 0.5;       // 0.5 Crank-Nicolson, 1 backward Euler
+  double tolerance = 1e-4;  // of "auto", relative to the span of temperatures
   HeatSolver solver = HeatSolver::automatic;
   std::optional<TemperatureUnit> unit;  // kelvin unless said
   double blend = 4.0;                   // c of beta = 1 - exp(-c dt alpha/h^2)
@@ -175,8 +182,13 @@ struct HeatSettings {
   static void describe(Self& self, Visitor& visit) {
     visit(Key("method").text("how fluxes reach the nodes"), self.method);
     visit(Key("transfer").text("what points and nodes hand each other"), self.transfer);
-    visit(Key("time_integration").text("explicit Euler or the implicit theta scheme"),
+    visit(Key("time_integration")
+              .text("explicit Euler, the implicit theta scheme, or what costs least"),
           self.time_integration);
+    visit(Key("tolerance")
+              .range(1e-8, 0.1)
+              .text("error of time integration \"auto\", as a share of the span of temperatures"),
+          self.tolerance);
     visit(Key("theta").range(0.5, 1.0).text("implicitness of the theta scheme"), self.theta);
     visit(Key("solver").text("linear solver of the theta scheme"), self.solver);
     visit(Key("temperature_unit")

@@ -28,7 +28,12 @@ std::unique_ptr<Physics> make_heat(Points& points, HeatProblem<Dim> problem) {
   require(!problem.moving || problem.settings.transfer != HeatTransfer::nodal,
           "heat.transfer = \"nodal\" needs points at rest or one rigid motion of all bodies, but "
           "this scene moves them");
-  if (CutCellHeat<Dim>::suits(problem)) {
+  const bool cut_cells = CutCellHeat<Dim>::suits(problem);
+  TimeIntegration& stepping = problem.settings.time_integration;
+  if (stepping == TimeIntegration::automatic && (!cut_cells || problem.fixed_steps)) {
+    stepping = TimeIntegration::explicit_euler;
+  }
+  if (cut_cells) {
     return std::make_unique<CutCellHeat<Dim>>(points, std::move(problem));
   }
   if (closes_on_nodes(problem)) {

@@ -26,7 +26,7 @@ NodalHeat<Dim>::NodalHeat(Points& points, HeatProblem<Dim> problem)
       coefficients_(problem_.bodies, problem_.shape),
       transfer_(chosen_transfer(problem_.settings)),
       laws_(problem_.settings.boundaries, absolute_zero(problem_.settings)) {
-  require(problem_.settings.time_integration == TimeIntegration::explicit_euler ||
+  require(problem_.settings.time_integration != TimeIntegration::implicit_theta ||
               transfer_ == HeatTransfer::nodal,
           "heat.time_integration = \"implicit\" needs heat.transfer = \"nodal\", got \"",
           name_of(transfer_), "\"");

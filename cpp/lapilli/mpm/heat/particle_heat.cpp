@@ -38,7 +38,7 @@ ParticleHeat<Dim>::ParticleHeat(Points& points, HeatProblem<Dim> problem)
           "\" is unstable with linear shape functions: set grid.shape_function to \"gimp\" or "
           "\"bspline\", or heat.transfer to \"flip\"");
   require(
-      problem_.settings.time_integration == TimeIntegration::explicit_euler,
+      problem_.settings.time_integration != TimeIntegration::implicit_theta,
       "heat.time_integration = \"implicit\" needs points at rest and heat.transfer = \"nodal\"");
   order_.update(points_);
   const std::vector<double> capacity = point_capacities(points_, problem_.bodies);

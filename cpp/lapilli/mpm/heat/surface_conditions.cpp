@@ -85,6 +85,16 @@ double SurfaceConditions::last_jump(double time) const {
   return last;
 }
 
+double SurfaceConditions::next_entry(double time) const {
+  double next = std::numeric_limits<double>::infinity();
+  for (const HeatBoundary& law : laws_) {
+    for (const Value* value : values_of(law)) {
+      next = std::min(next, value->next_entry(time));
+    }
+  }
+  return next;
+}
+
 bool SurfaceConditions::holds_temperature(std::size_t law) const {
   return std::holds_alternative<PrescribedTemperature>(laws_[law]);
 }

@@ -47,6 +47,8 @@ class SurfaceConditions {
   void take_hold_over(double span) { hold_span_ = span; }
   /// The last jump of a table up to this time; the start where there is none, s.
   double last_jump(double time) const;
+  /// The next time at which a table of any law has an entry, s; infinite where none has.
+  double next_entry(double time) const;
 
   std::size_t size() const { return laws_.size(); }
   bool empty() const { return laws_.empty(); }

@@ -1,5 +1,6 @@
-#include <Eigen/SparseCholesky>
+#include <algorithm>
 
+#include "lapilli/algebra/symmetric_factor.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/surface_term.hpp"
 
@@ -9,12 +10,19 @@ namespace {
 using Vector = SurfaceTerm::Vector;
 using Matrix = SurfaceTerm::Matrix;
 
+bool has_same_pattern(const Matrix& a, const Matrix& b) {
+  return a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
 }  // namespace
 
 struct SurfaceSolver::State {
   Matrix base;
   Method method = Method::direct;
-  Eigen::SimplicialLDLT<Matrix> factor;
+  std::vector<std::array<int, 3>> place;  // of the unknowns on the grid
+  SymmetricFactor factor;
   double conduction_scale = -1.0;  // of the conduction in the base
   bool analysed = false, factored = false;
   double scale = -1.0;                 // with the slopes in the factor; negative: none was made
@@ -26,11 +34,10 @@ struct SurfaceSolver::State {
   void factorise(const SurfaceTerm& term) {
     const Matrix matrix = base + scale * term.slopes(signature);
     if (!analysed) {
-      factor.analyzePattern(matrix);
+      factor.analyse(matrix, place);
       analysed = true;
     }
-    factor.factorize(matrix);
-    if (factor.info() != Eigen::Success) {
+    if (factor.factorise(matrix).not_positive > 0) {
       throw RunError("heat: the matrix of the surface could not be factorised");
     }
     factored = true;
@@ -46,15 +53,18 @@ bool SurfaceSolver::has_base(double conduction_scale) const {
   return state_->base.size() > 0 && state_->conduction_scale == conduction_scale;
 }
 
-void SurfaceSolver::set_base(Matrix base, double conduction_scale, Method method) {
+void SurfaceSolver::set_base(Matrix base, double conduction_scale, Method method,
+                             std::vector<std::array<int, 3>> place) {
   // After a resume the numbers of the factor of this base have been loaded.
   if (state_->base.size() > 0 || state_->conduction_scale != conduction_scale) {
     state_->scale = -1.0;
   }
+  state_->analysed = state_->analysed && has_same_pattern(base, state_->base);
   state_->conduction_scale = conduction_scale;
   state_->base = std::move(base);
   state_->method = method;
-  state_->analysed = state_->factored = false;
+  state_->place = std::move(place);
+  state_->factored = false;
 }
 
 void SurfaceSolver::save(Archive& archive, const std::string& name) const {

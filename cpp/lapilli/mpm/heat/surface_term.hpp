@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <array>
 #include <functional>
 #include <memory>
 #include <span>
@@ -84,7 +85,9 @@ class SurfaceSolver {
 
   /// Whether the base holds `conduction_scale` times the conduction.
   bool has_base(double conduction_scale) const;
-  void set_base(SurfaceTerm::Matrix base, double conduction_scale, Method method);
+  /// `place`: coordinates of the unknowns on the grid, for the order of elimination.
+  void set_base(SurfaceTerm::Matrix base, double conduction_scale, Method method,
+                std::vector<std::array<int, 3>> place);
   /// Throws RunError when the factor fails or conjugate gradients do not converge.
   SurfaceTerm::Vector solve(const SurfaceTerm& term, double scale,
                             const SurfaceTerm::Vector& right);

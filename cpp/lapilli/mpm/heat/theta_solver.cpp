@@ -1,9 +1,9 @@
 #include "lapilli/mpm/heat/theta_solver.hpp"
 
 #include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 
+#include "lapilli/algebra/symmetric_factor.hpp"
 #include "lapilli/core/require.hpp"
 
 namespace lapilli {
@@ -17,8 +17,9 @@ struct ThetaSolver<Dim>::Backend {
   using Matrix = Eigen::SparseMatrix<double>;
   bool direct = true;
   bool symmetric = true;
-  Matrix matrix;  // lower triangle, or all of it where probes make it unsymmetric
-  Eigen::SimplicialLDLT<Matrix> ldlt;
+  Matrix matrix;
+  std::vector<std::array<int, 3>> place;  // of the unknowns on the grid
+  SymmetricFactor factor;
   Eigen::SparseLU<Matrix> lu;
   Eigen::ConjugateGradient<Matrix, Eigen::Lower> cg;
   Eigen::BiCGSTAB<Matrix> bicgstab;
@@ -26,8 +27,8 @@ struct ThetaSolver<Dim>::Backend {
   void factorise() {
     Eigen::ComputationInfo info = Eigen::Success;
     if (direct && symmetric) {
-      ldlt.compute(matrix);
-      info = ldlt.info();
+      factor.analyse(matrix, place);
+      info = factor.factorise(matrix).not_positive == 0 ? info : Eigen::NumericalIssue;
     } else if (direct) {
       lu.compute(matrix);
       info = lu.info();
@@ -45,7 +46,7 @@ struct ThetaSolver<Dim>::Backend {
 
   Eigen::VectorXd solve(const Eigen::VectorXd& right) {
     if (direct) {
-      return symmetric ? Eigen::VectorXd(ldlt.solve(right)) : Eigen::VectorXd(lu.solve(right));
+      return symmetric ? factor.solve(right) : Eigen::VectorXd(lu.solve(right));
     }
     return symmetric ? Eigen::VectorXd(cg.solve(right)) : Eigen::VectorXd(bicgstab.solve(right));
   }
@@ -66,6 +67,7 @@ ThetaSolver<Dim>::ThetaSolver(const NodeRows<Dim>& rows, const StencilMatrix<Dim
       }
     }
   }
+  backend_->place = rows.coordinates(place_);
   backend_->direct =
       choice == HeatSolver::direct ||
       (choice == HeatSolver::automatic && static_cast<Index>(place_.size()) <= direct_limit<Dim>);
@@ -89,12 +91,10 @@ void ThetaSolver<Dim>::prepare(double scale, const BoundaryConditions<Dim>& laws
     triplets.emplace_back(static_cast<int>(k), static_cast<int>(k), lumped_[place_[k]]);
   }
   backend_->symmetric = !laws.has_held_temperature();
-  if (!backend_->symmetric) {
-    const std::size_t count = triplets.size();
-    for (std::size_t k = 0; k < count; ++k) {
-      if (triplets[k].row() != triplets[k].col()) {
-        triplets.emplace_back(triplets[k].col(), triplets[k].row(), triplets[k].value());
-      }
+  const std::size_t count = triplets.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    if (triplets[k].row() != triplets[k].col()) {
+      triplets.emplace_back(triplets[k].col(), triplets[k].row(), triplets[k].value());
     }
   }
   constexpr std::size_t corners = 1 << Dim;

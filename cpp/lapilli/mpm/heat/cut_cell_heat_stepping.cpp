@@ -1,0 +1,177 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/cut_cell_heat.hpp"
+
+namespace lapilli {
+namespace {
+
+using Vector = SurfaceTerm::Vector;
+
+constexpr Index watch_every = 128;  // steps
+
+void write(Archive& archive, const std::string& name, const Vector& values) {
+  archive.write(name,
+                std::span<const double>(values.data(), static_cast<std::size_t>(values.size())));
+}
+
+Vector read(const Archive& archive, const std::string& name) {
+  const std::vector<double> values = archive.read_numbers(name);
+  return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+}  // namespace
+
+template <int Dim>
+void CutCellHeat<Dim>::begin_adaptive_steps() {
+  // Measured: explicit steps that one implicit step takes the time of, its share of a factor
+  // included.
+  constexpr double worth = Dim == 1 ? 100.0 : Dim == 2 ? 400.0 : 1500.0;
+  adaptive_ = AdaptiveSteps(problem_.settings.tolerance, limit_.automatic, worth);
+  lowest_ = std::isfinite(range_.low) ? range_.low : std::numeric_limits<double>::infinity();
+  highest_ = std::isfinite(range_.high) ? range_.high : -std::numeric_limits<double>::infinity();
+  widen_span();
+}
+
+template <int Dim>
+double CutCellHeat<Dim>::next_entry(double time) const {
+  const double after = time * (1.0 + 1e-12);  // a step has ended at the entry
+  double next = laws_.next_entry(after);
+  for (const HeatBody& body : problem_.bodies) {
+    next = std::min(next, body.source.next_entry(after));
+  }
+  return next;
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::choose_steps(const Step& last) {
+  const double now = time_ * (1.0 + 1e-12);  // where a step has ended at an entry
+  double jump = laws_.last_jump(now);
+  for (const HeatBody& body : problem_.bodies) {
+    for (double at = body.source.next_jump(0.0); at <= now; at = body.source.next_jump(at)) {
+      jump = std::max(jump, at);
+    }
+  }
+  // The first implicit step comes after a look at how explicit ones bend.
+  const bool ready = adaptive_.are_implicit() || (last.index + 1) % watch_every == 0;
+  if (ready && adaptive_.choose(time_, jump, next_entry(time_))) {
+    if (adaptive_.are_implicit()) {
+      begin_implicit_steps(last.size);
+    } else {
+      for (Solved& one : solved_) {
+        one.all.reset();
+      }
+    }
+  }
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::begin_implicit_steps(double last) {
+  for (Solved& one : solved_) {
+    number_all_leaders(one);
+    System& all = *one.all;
+    // Explicit steps take the surface a little differently: their own rate does not feel it.
+    all.rate = gather(all, one.increment).cwiseProduct(gather(all, one.part.capacity)) / last;
+    all.error =
+        Vector::Constant(static_cast<Eigen::Index>(all.unknown_place.size()), explicit_error_);
+  }
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::widen_span() {
+  for (const Solved& one : solved_) {
+    for (std::size_t place = 0; place < one.part.capacity.size(); ++place) {
+      if (one.part.capacity[place] > 0.0) {
+        lowest_ = std::min(lowest_, one.part.temperature[place]);
+        highest_ = std::max(highest_, one.part.temperature[place]);
+      }
+    }
+  }
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::watch_curvature(Solved& one, const Step& step) {
+  const Index phase = step.index % watch_every;
+  if (phase == watch_every - 2) {
+    one.earlier = one.increment;
+    for (double& rate : one.earlier) {
+      rate /= step.size;
+    }
+  } else if (phase == watch_every - 1 && !one.earlier.empty()) {
+    // Explicit steps are late by dt/2 T'' t at most: exact for what decays and for powers of the
+    // time; exchange that is taken in the middle of the step is late by less.
+    double most = 0.0;
+    for (std::size_t place = 0; place < one.increment.size(); ++place) {
+      if (one.part.capacity[place] > 0.0) {
+        most = std::max(most, std::abs(one.increment[place] / step.size - one.earlier[place]));
+      }
+    }
+    explicit_error_ = 0.5 * most * (step.time + step.size - laws_.last_jump(step.time));
+    one.earlier.clear();
+    widen_span();
+  }
+}
+
+template <int Dim>
+double CutCellHeat<Dim>::largest_error() const {
+  double error = adaptive_.are_implicit() ? 0.0 : explicit_error_;
+  for (const Solved& one : solved_) {
+    if (one.all && one.all->error.size() > 0) {
+      error = std::max(error, one.all->error.cwiseAbs().maxCoeff());
+    }
+  }
+  return error;
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::save_stepping(Archive& archive) const {
+  adaptive_.save(archive);
+  archive.write("heat/stepping/lowest", lowest_);
+  archive.write("heat/stepping/highest", highest_);
+  archive.write("heat/stepping/explicit_error", explicit_error_);
+  archive.write("heat/stepping/implicit_steps", implicit_steps_);
+  for (std::size_t k = 0; k < solved_.size(); ++k) {
+    archive.write(message("heat/stepping/earlier ", k), solved_[k].earlier);
+    if (const auto& all = solved_[k].all) {
+      write(archive, message("heat/stepping/error ", k), all->error);
+      write(archive, message("heat/stepping/rate ", k), all->rate);
+    }
+  }
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::load_stepping(const Archive& archive) {
+  adaptive_.load(archive);
+  lowest_ = archive.read_number("heat/stepping/lowest");
+  highest_ = archive.read_number("heat/stepping/highest");
+  explicit_error_ = archive.read_number("heat/stepping/explicit_error");
+  implicit_steps_ = archive.read_index("heat/stepping/implicit_steps");
+  for (std::size_t k = 0; k < solved_.size(); ++k) {
+    Solved& one = solved_[k];
+    one.earlier = archive.read_numbers(message("heat/stepping/earlier ", k));
+    one.all.reset();
+    if (adaptive_.are_implicit()) {
+      number_all_leaders(one);
+      one.all->error = read(archive, message("heat/stepping/error ", k));
+      one.all->rate = read(archive, message("heat/stepping/rate ", k));
+    }
+  }
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                         \
+  template void CutCellHeat<Dim>::begin_adaptive_steps();                \
+  template double CutCellHeat<Dim>::next_entry(double) const;            \
+  template void CutCellHeat<Dim>::choose_steps(const Step&);             \
+  template void CutCellHeat<Dim>::watch_curvature(Solved&, const Step&); \
+  template void CutCellHeat<Dim>::widen_span();                          \
+  template double CutCellHeat<Dim>::largest_error() const;               \
+  template void CutCellHeat<Dim>::save_stepping(Archive&) const;         \
+  template void CutCellHeat<Dim>::load_stepping(const Archive&);
+LAPILLI_INSTANTIATE(1)
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+}  // namespace lapilli

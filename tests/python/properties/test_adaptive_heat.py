@@ -1,0 +1,117 @@
+"""Heat with time_integration = "auto" on long runs that nobody tuned: implicit steps come in, keep
+the tolerance, say how large their error is, and lose neither heat nor a jump of a table."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+
+import lapilli as lp
+
+Array = npt.NDArray[np.float64]
+TOLERANCE = 1e-3
+
+
+def drawn(seed: int) -> lp.Scene:
+    """A body at 0 K in surroundings that warm, jump and cool; long against its own time."""
+    rng = np.random.default_rng(seed)
+    scale = 10 ** rng.uniform(-3, 3)
+    diffusivity = 10 ** rng.uniform(-7, 1)
+    time = scale**2 / diffusivity  # of the body
+    cell = scale / rng.uniform(4, 7)
+    centre = rng.uniform(-0.5, 0.5, 2) * cell
+    shape: lp.Disk | lp.Rotated
+    if seed % 2:
+        shape = lp.Disk(center=list(centre), radius=scale)
+    else:
+        half = scale * np.array([1.0, rng.uniform(0.5, 1.0)])
+        box = lp.Box(lower=list(centre - half), upper=list(centre + half))
+        shape = lp.Rotated(shape=box, degrees=rng.uniform(0, 90))
+    conductivity = 10 ** rng.uniform(-2, 2)
+    strength = 10 ** rng.uniform(-1, 1) * conductivity / scale
+    # Entries far apart, so that steps between them pay; one jump.
+    end = 400 * time
+    times = end * np.array([0.0, 0.3, 0.5, 0.5, 0.9, 1.0])
+    ambient = lp.Table(list(times), [1.0, 1.0, *rng.uniform(1.0, 3.0, 3), 1.0])
+    law: lp.Convection | lp.PrescribedTemperature | lp.Radiation = (
+        lp.Convection(coefficient=strength, ambient=ambient),
+        lp.PrescribedTemperature(value=ambient),
+        lp.Radiation(emissivity=0.9, ambient=ambient, stefan_boltzmann=strength),
+    )[seed % 3]
+    reach = 1.5 * scale + 3 * cell
+    cells = int(np.ceil(2 * reach / cell))
+    lower = -reach - rng.uniform(0, 1, 2) * cell
+    return lp.Scene(
+        grid=lp.Grid(lower=list(lower), upper=list(lower + cells * cell), cell=cell),
+        bodies=[
+            lp.Body(
+                shape=shape,
+                material=lp.Thermal(
+                    density=1.0,
+                    specific_heat=conductivity / diffusivity,
+                    conductivity=conductivity,
+                ),
+            )
+        ],
+        heat=lp.Heat(boundaries=[law], time_integration="auto", tolerance=TOLERANCE),
+        time=lp.Time(end=float(end)),
+    )
+
+
+def states(scene: lp.Scene, times: Array) -> tuple[Array, list[float], lp.Simulation]:
+    simulation = lp.Simulation(scene)
+    fields, errors = [], []
+    for time in times:
+        simulation.run_until(time)
+        fields.append(simulation.by_id("temperature").copy())
+        errors.append(simulation.diagnostics().get("heat/time_error", 0.0))
+    return np.array(fields), errors, simulation
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_long_runs_take_implicit_steps_and_stay_right(seed: int) -> None:
+    scene = drawn(seed)
+    times = scene.time.end * np.array([0.02, 0.1, 0.35, 0.5, 0.503, 0.52, 0.7, 0.95, 1.0])
+    found, _, simulation = states(scene, times)
+    explicit, _, steps = states(scene.set("heat.time_integration=explicit"), times)
+    assert simulation.diagnostics()["heat/implicit_steps"] > 10
+    assert simulation.step_index < 0.7 * steps.step_index
+    # Explicit steps take what varies in their middle and are late by that: 1.2e-4 at most.
+    span = explicit.max()
+    assert np.abs(found - explicit).max() < 3e-4 * span
+    assert abs(simulation.balance()[0].residual) < 1e-11
+    assert found.min() > -1e-9
+    assert found.max() < 3 + 1e-9
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-3, 1e-4])
+def test_the_error_is_as_said(tolerance: float) -> None:
+    """A disk that warms slowly, so that implicit steps have something to follow; exact in time by
+    extrapolation of explicit steps."""
+    scene = drawn(3).set("heat.time_integration=explicit")
+    material, shape = scene.bodies[0].material, scene.bodies[0].shape
+    assert isinstance(material, lp.Thermal)
+    assert isinstance(shape, lp.Disk)
+    unit = shape.radius**2 * material.specific_heat / material.conductivity
+    warm = lp.Convection(coefficient=0.05 * material.conductivity / shape.radius, ambient=1.0)
+    scene.heat = lp.Heat(boundaries=[warm], time_integration="explicit", tolerance=tolerance)
+    scene.time.end = 60 * unit
+    times = unit * np.array([1.0, 5.0, 10.0, 20.0, 30.0, 45.0, 60.0])
+    step = lp.Simulation(scene).step_size
+    coarse, fine = (states(scene.set(f"time.step={step / part!r}"), times)[0] for part in (2, 4))
+    found, said, simulation = states(scene.set("heat.time_integration=auto"), times)
+    errors = np.abs(found - (2 * fine - coarse)).max(axis=1)
+    assert simulation.diagnostics()["heat/implicit_steps"] > 5
+    # Implicit steps are off by .2 to 3 times what is said, explicit ones by less than that.
+    assert errors.max() < tolerance
+    assert (errors < 3 * np.array(said) + 0.02 * tolerance).all(), (errors, said)
+    assert (np.array(said[-2:]) < 5 * errors[-2:] + 0.1 * tolerance).all(), (errors, said)
+
+
+def test_a_given_step_and_points_that_move_stay_explicit() -> None:
+    scene = drawn(1)
+    step = lp.Simulation(scene).step_size
+    given = lp.Simulation(scene.set(f"time.step={step!r}"))
+    given.step()
+    assert "heat/implicit_steps" not in given.diagnostics()
