@@ -50,7 +50,7 @@ def state_to_xarray(result: Result) -> xarray.Dataset:
     simulation = result.simulation
     names = [name for name in simulation.fields if name not in NOT_VARIABLES]
     arrays = {name: result.by_id(name)[None] for name in dict.fromkeys(["position", *names])}
-    units = {name: simulation.unit(name) for name in arrays}
+    units = {name: result.unit(name) for name in arrays}
     times = np.array([result.time])
     return dataset(times, result.by_id("id"), result.by_id("body"), arrays, units)
 

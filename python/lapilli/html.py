@@ -99,7 +99,7 @@ def result_as_html(result: Result) -> str:
         values = simulation[name]
         if values.ndim == 1 and len(values):
             ends = f"{values.min():.6g}", f"{values.max():.6g}"
-            fields.append((name, *ends, simulation.unit(name)))
+            fields.append((name, *ends, result.unit(name)))
     balances = [
         (name, f"{one.supplied:.6g}", f"{one.stored:.6g}", one.unit, f"{one.residual:.1e}")
         for name, one in result.balance.items()

@@ -79,7 +79,12 @@ class Result:
 
     def unit(self, name: str) -> str:
         """The unit of a field, or of a component of it."""
-        return self.simulation.unit(parted(name)[0])
+        field = parted(name)[0]
+        lengths = self.simulation.dimension
+        general = {"position": "m", "volume": "m" if lengths == 1 else f"m^{lengths}"}
+        if field in ("position", "volume", "id", "body"):
+            return general.get(field, "")
+        return self.simulation.unit(field)
 
     def to_xarray(self) -> xarray.Dataset:
         """All frames over time, point and component; the last state where no frames were written.

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import functools
 import inspect
+import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -76,7 +77,7 @@ def _unit(made: Any, name: str) -> str:
     kind = annotation.removesuffix(" | str")
     for line in (inspect.getdoc(made) or "").splitlines():
         rest = line.removeprefix(f"{name} : ")
-        if rest != line:
-            unit = rest.removeprefix(kind).removeprefix(", ").rpartition(", ")[0]
-            return unit if not unit.startswith("default") else ""
+        found = re.match(r"(?:, (.*?))?, (?:default |required)", rest.removeprefix(kind))
+        if rest != line and found is not None:
+            return found[1] or ""
     return ""

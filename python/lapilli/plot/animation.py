@@ -16,7 +16,13 @@ import numpy.typing as npt
 from lapilli.extras import required
 from lapilli.frames import Frame, Frames
 from lapilli.plot.canvas import panels_for, require_matplotlib
-from lapilli.plot.picture import Source, colours_of, frames_of, limits_of, paint
+from lapilli.plot.picture import (
+    Source,
+    colours_of,
+    frames_of,
+    limits_of,
+    paint,
+)
 from lapilli.plot.style import Style
 from lapilli.plot.view import View, drawn_field, view_of
 from lapilli.whole_file import whole_file
@@ -65,20 +71,19 @@ def pictures(
     ends = [limits_of(views, style) for views in looked_at]
     limits = min(low for low, _ in ends), max(high for _, high in ends)
     colours = colours_of(runs, field, style)
-    tallest = max(looked_at, key=lambda views: max(v.height if v.is_plane else 0 for v in views))
-    figure, axes = panels_for(tallest)
+    held = [[views[k] for views in looked_at] for k in range(len(runs))]
+    figure, axes = panels_for(held)
     figure.set_dpi(dpi)
-    is_moving = bool(style.vectors or style.contours) or not tallest[0].is_plane
+    is_moving = bool(style.vectors or style.contours) or not held[0][0].is_plane
     drawn: list[Any] = []
     for number in numbers:
         frames = _at(runs, number)
         views = _views(frames, field, style)
         if not drawn or is_moving:
             _clear(figure, len(axes))
-            drawn = paint(figure, axes, frames, views, style, limits, colours)
-            _hold_axes(axes, looked_at)
+            figure.set_layout_engine("compressed")
+            drawn = paint(figure, axes, frames, views, style, limits, colours, held)
             figure.set_layout_engine("none")
-            _resize(axes, views, drawn)
         else:
             _move(axes, views, drawn)
         yield _pixels(figure)
@@ -100,26 +105,6 @@ def _clear(figure: Figure, panels: int) -> None:
         spare.remove()
     for panel in figure.axes:
         panel.clear()
-
-
-def _hold_axes(axes: Sequence[Any], looked_at: Sequence[Sequence[View]]) -> None:
-    """Axes that show the points of all frames that were looked at."""
-    for k, panel in enumerate(axes):
-        views = [views[k] for views in looked_at if views[k].is_plane]
-        if views:
-            every = np.concatenate([view.position[:, view.axes] for view in views])
-            edge = max(float(view.spacing.max()) for view in views)
-            panel.set_xlim(every[:, 0].min() - edge, every[:, 0].max() + edge)
-            panel.set_ylim(every[:, 1].min() - edge, every[:, 1].max() + edge)
-
-
-def _resize(axes: Sequence[Any], views: Sequence[View], drawn: Sequence[Any]) -> None:
-    from lapilli.plot.picture import fit_dots
-
-    for panel, view, dots in zip(axes, views, drawn, strict=True):
-        if view.is_plane:
-            panel.apply_aspect()
-            fit_dots(panel, view, dots)
 
 
 def _move(axes: Sequence[Any], views: Sequence[View], drawn: Sequence[Any]) -> None:

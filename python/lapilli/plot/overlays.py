@@ -25,12 +25,16 @@ def draw_vectors(axes: Axes, frame: Frame, view: View, field: str) -> Any:
     values = frame[field]
     if values.ndim != 2 or values.shape[1] != 3:
         raise ValueError(f"{field} is no vector field: it has no arrows")
-    apart = max(view.width, view.height) / ARROWS
+    apart = float(np.ptp(view.shown, axis=0).max()) / ARROWS
+    if apart == 0:
+        return None
     rows = view.rows[_spread(view.shown, apart)]
     at, arrow = view.position[rows][:, view.axes], values[rows][:, view.axes]
-    longest = float(np.linalg.norm(arrow, axis=1).max())
+    size = np.linalg.norm(arrow, axis=1)
+    longest = float(size.max())
     if longest == 0:
         return None
+    at, arrow = at[size > 0.03 * longest], arrow[size > 0.03 * longest]
     drawn = axes.quiver(
         at[:, 0],
         at[:, 1],
@@ -47,11 +51,11 @@ def draw_vectors(axes: Axes, frame: Frame, view: View, field: str) -> Any:
     unit = frame.frames.unit(field)
     axes.quiverkey(
         drawn,
-        0.99,
+        0.04,
         1.035,
         longest,
         f"{field} {longest:.3g} {unit}",
-        labelpos="W",
+        labelpos="E",
         coordinates="axes",
     )
     return drawn
@@ -69,6 +73,7 @@ def _spread(at: Array, apart: float) -> Array:
 
 def draw_contours(axes: Axes, view: View, count: int) -> Any:
     """Lines of equal value with their numbers, over the triangles between neighbouring points."""
+    from matplotlib.patheffects import withStroke
     from matplotlib.tri import Triangulation
 
     at, values = view.shown, view.values[view.rows]
@@ -79,6 +84,9 @@ def draw_contours(axes: Axes, view: View, count: int) -> Any:
     longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
     mesh.set_mask(longest > 3 * view.spacing[view.rows].max())
     levels = np.linspace(values.min(), values.max(), count + 2)[1:-1]
-    lines = axes.tricontour(mesh, values, levels=levels, colors="0.15", linewidths=0.8)
-    axes.clabel(lines, fontsize=7, fmt="%.3g")
+    lines = axes.tricontour(mesh, values, levels=levels, colors="0.1", linewidths=0.8)
+    halo: list[Any] = [withStroke(linewidth=1.8, foreground="1.0", alpha=0.6)]
+    lines.set(path_effects=halo)
+    for text in axes.clabel(lines, fontsize=7, fmt="%.3g"):
+        text.set_path_effects(halo)
     return lines

@@ -10,7 +10,7 @@ import numpy as np
 
 from lapilli.components import MAGNITUDE, component_names, parted
 from lapilli.frames import Frame, Frames
-from lapilli.plot.canvas import dot_areas, panels_for, require_matplotlib
+from lapilli.plot.canvas import dot_areas, ends_of, panels_for, require_matplotlib
 from lapilli.plot.overlays import draw_contours, draw_vectors
 from lapilli.plot.style import Style
 from lapilli.plot.view import NAMES, View, drawn_field, view_of
@@ -51,7 +51,7 @@ def draw(
     field = drawn_field(runs[0], field)
     shown = [run[-1] if time is None else run.at(time) for run in runs]
     views = [view_of(frame, field, style) for frame in shown]
-    figure, axes = panels_for(views)
+    figure, axes = panels_for([[view] for view in views])
     paint(
         figure, axes, shown, views, style, limits_of(views, style), colours_of(runs, field, style)
     )
@@ -88,7 +88,7 @@ def colours_of(runs: Sequence[Frames], field: str, style: Style) -> str:
         return style.colours
     name, component = parted(field)
     is_signed = component not in ("", MAGNITUDE) and bool(component_names(runs[0][0][name]))
-    return "RdBu_r" if is_signed else "inferno"
+    return "coolwarm" if is_signed else "inferno"
 
 
 def paint(
@@ -99,9 +99,11 @@ def paint(
     style: Style,
     limits: Limits,
     colours: str,
+    held: Sequence[Sequence[View]] | None = None,
 ) -> list[Any]:
-    """One panel for each view; returns what is coloured."""
-    if colours == "RdBu_r" and style.limits is None:
+    """One panel for each view, with room for the views of each that are `held`; returns what is
+    coloured."""
+    if colours == "coolwarm" and style.limits is None:
         end = max(abs(limits[0]), abs(limits[1]))
         limits = -end, end
     drawn = [
@@ -113,6 +115,9 @@ def paint(
         if view.is_plane and style.vectors:
             draw_vectors(panel, frame, view, style.vectors)
     if views[0].is_plane:
+        for panel, room in zip(axes, held or [[view] for view in views], strict=True):
+            low, high = ends_of(room)
+            panel.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
         figure.colorbar(drawn[0], ax=list(axes), label=views[0].label, shrink=0.9, aspect=30)
     figure.draw_without_rendering()  # lays out the panels, so that metres have a size
     for panel, view, dots in zip(axes, views, drawn, strict=True):
@@ -149,7 +154,6 @@ def draw_view(axes: Axes, view: View, limits: Limits, colours: str) -> Any:
         marker="s",
     )
     axes.set_aspect("equal")
-    axes.margins(0.03)
     return dots
 
 

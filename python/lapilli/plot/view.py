@@ -40,19 +40,10 @@ class View:
         """Positions in the plane of the points of bodies."""
         return self.position[self.rows][:, self.axes]
 
-    def _span(self, axis: int) -> float:
-        every = np.concatenate([self.rows, self.walls])
-        return float(np.ptp(self.position[every, self.axes[axis]])) + float(self.spacing.max())
-
     @property
-    def width(self) -> float:
-        """Extent along the first axis, m."""
-        return self._span(0)
-
-    @property
-    def height(self) -> float:
-        """Extent along the second axis, m."""
-        return self._span(1)
+    def seen(self) -> Array:
+        """All points that are drawn."""
+        return np.concatenate([self.rows, self.walls])
 
 
 def drawn_field(frames: Frames, wanted: str | None) -> str:

@@ -98,7 +98,8 @@ def charts(record: Record) -> list[dict[str, Any]]:
         owner = column["name"].partition("/")[0] if "/" in column["name"] else "probes"
         curve = {"name": column["name"], "meaning": column["meaning"], "values": values}
         groups.setdefault((owner, column["unit"]), []).append(curve)
+    first = sorted(groups.items(), key=lambda group: group[0][0] != "probes")
     return [
         {"title": owner, "unit": unit, "times": times, "curves": curves}
-        for (owner, unit), curves in groups.items()
+        for (owner, unit), curves in first
     ]

@@ -60,11 +60,12 @@ function showPictures(parent, sets) {
 
 // Round steps for about `count` ticks.
 function ticks(low, high, count) {
-  const raw = (high - low) / count;
+  const raw = (high - low) / count || 1;
   const power = 10 ** Math.floor(Math.log10(raw));
   const step = [1, 2, 5, 10].map((k) => k * power).find((k) => k >= raw) || raw;
   const all = [];
-  for (let k = Math.ceil(low / step); k * step <= high + 1e-9 * step; k++) all.push(k * step);
+  const first = Math.ceil(low / step);
+  for (let k = 0; k <= 2 * count && (first + k) * step <= high + 1e-9 * step; k++) all.push((first + k) * step);
   return all;
 }
 
@@ -137,7 +138,8 @@ class Chart {
       .flatMap((c) => c.values.filter((v, k) => v !== null && inside(k)));
     let low = Math.min(...seen), high = Math.max(...seen);
     if (!seen.length) [low, high] = [0, 1];
-    if (low === high) [low, high] = [low - (Math.abs(low) || 1) * 0.1, high + (Math.abs(high) || 1) * 0.1];
+    const size = Math.max(Math.abs(low), Math.abs(high)) || 1;
+    if (high - low < 1e-9 * size) [low, high] = [low - 0.1 * size, high + 0.1 * size]; // rounding only
     const y = (value) => 225 - (210 * (value - low)) / (high - low);
     for (const value of ticks(low, high, 5)) {
       add(this.svg, "line", { x1: 60, x2: 790, y1: y(value), y2: y(value), stroke: "#e8e8e8" });

@@ -31,7 +31,7 @@ def plate(folder: Path) -> lp.Scene:
 
 def block(folder: Path) -> lp.Scene:
     """Two blocks that fall, one faster: velocities and stresses."""
-    soil = lp.Elastic(density=1000, young=1e6, poisson=0.3)
+    soil = lp.Elastic(density=1000, youngs_modulus=1e6, poissons_ratio=0.3)
     return lp.Scene(
         title="two blocks",
         grid=lp.Grid(lower=(0, 0), upper=(2, 1), cell=0.1),

@@ -43,7 +43,7 @@ def test_dots_are_as_large_as_the_boxes_of_the_points(heated: lp.Result) -> None
     axes = figure.axes[0]
     side = np.sqrt(axes.collections[0].get_sizes()[0]) / 72 * figure.dpi  # pixels
     ends = axes.transData.transform([(0, 0), (0.125, 0)])
-    assert side == pytest.approx(ends[1, 0] - ends[0, 0], rel=0.1)
+    assert side == pytest.approx(1.12 * (ends[1, 0] - ends[0, 0]), rel=0.01)  # no gaps
 
 
 def test_arrows_and_contours_are_drawn(falling: lp.Result, heated: lp.Result) -> None:
