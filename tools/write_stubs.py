@@ -18,12 +18,28 @@ MENDED = {
     "(*args, **kwargs):": "(*args: typing.Any, **kwargs: typing.Any) -> typing.Any:",
 }
 
+# The generator on the classes as they are compiled, without what Python adds to them.
+GENERATE = """
+import sys
+from lapilli import _core
+from pybind11_stubgen import main
+for made in vars(_core).values():
+    if isinstance(made, type):
+        for name in ("__init__", "__setattr__"):
+            if hasattr(vars(made).get(name), "__wrapped__"):
+                setattr(made, name, vars(made)[name].__wrapped__)
+        if "_repr_html_" in vars(made):
+            del made._repr_html_
+sys.argv = ["pybind11_stubgen", "lapilli._core", "--exit-code", "--output-dir", sys.argv[1]]
+main()
+"""
+
 
 def stubs() -> str:
     """The stub file that belongs to the module as it is now."""
     with tempfile.TemporaryDirectory() as folder:
-        command = ["pybind11_stubgen", "lapilli._core", "--output-dir", folder, "--exit-code"]
-        subprocess.run([sys.executable, "-m", *command], check=True, capture_output=True)
+        command = [sys.executable, "-c", GENERATE, folder]
+        subprocess.run(command, check=True, capture_output=True)
         text = (Path(folder) / "lapilli" / "_core.pyi").read_text()
     for said, meant in MENDED.items():
         text = text.replace(said, meant)

@@ -75,8 +75,13 @@ from lapilli._core import (
     thread_count,
     unknown_name,
 )
+from lapilli.accept import accept_foreign_values
 from lapilli.frames import Frames
+from lapilli.html import show_in_notebooks
 from lapilli.result import Result, run
+
+accept_foreign_values()
+show_in_notebooks()
 
 __all__ = [
     "Annulus",

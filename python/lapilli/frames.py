@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+import functools
 import json
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from lapilli import _core
-from lapilli._core import Scene
-from lapilli.part import Part, names_of
+from lapilli.components import component_of, parted
+from lapilli.part import Part
+
+if TYPE_CHECKING:
+    import pyvista
+    import xarray
+
+    from lapilli.history import History
+    from lapilli.history_frame import HistoryFrame
 
 Array = npt.NDArray[Any]
 
@@ -22,7 +30,7 @@ class Frame:
     """The state at one time. Arrays are read, and compared with their checksums, when asked for."""
 
     def __init__(self, frames: Frames, number: int, time: float) -> None:
-        self._frames = frames
+        self.frames = frames
         self.number = number
         self.time = time
 
@@ -30,11 +38,14 @@ class Frame:
         return f"<frame {self.number} at {self.time:g} s>"
 
     def __getitem__(self, name: str) -> Array:
-        """A field, one row per point in the order of the points' ids.
+        """A field, one row per point in the order of the points' ids, or one component of it:
+        ``frame["velocity.x"]``, ``frame["stress.xy"]``, ``frame["velocity.magnitude"]``.
 
         Raises ``OutputError`` naming file, frame and field when it is damaged or missing.
         """
-        return self._read(name)
+        field, component = parted(name)
+        values = self._read(field)
+        return component_of(values, name) if component else values
 
     @property
     def position(self) -> npt.NDArray[np.float64]:
@@ -44,19 +55,29 @@ class Frame:
     def body(self, which: int | str) -> Part:
         """The points of one body or fluid wall, by its number (bodies first, from 0) or by the name
         that the run record beside the frames gives it."""
-        record = self._frames.path.with_suffix(".json")
-        if isinstance(which, int) and not record.is_file():
-            return Part(self._read, which, [""] * (which + 1))
-        scene = Scene.parse(json.loads(record.read_text())["scene"])
-        return Part(self._read, which, names_of(scene))
+        names = self.frames.body_names
+        if isinstance(which, int) and names is None:
+            return Part(self.__getitem__, which, [""] * (which + 1))
+        if names is None:
+            raise ValueError(
+                f"bodies have no names here: the run record {self.frames.record_path} is missing; "
+                "give a number"
+            )
+        return Part(self.__getitem__, which, names)
+
+    def to_pyvista(self, fields: Sequence[str] | None = None) -> pyvista.PolyData:
+        """The points with all fields, or those named, as vertices for pyvista."""
+        from lapilli.export import to_pyvista
+
+        return to_pyvista(self, fields)
 
     def _read(self, name: str) -> Array:
-        if name != "position" and name not in self._frames.fields:
+        if name != "position" and name not in self.frames.fields:
             raise KeyError(
-                f"no field {name!r} in {self._frames.path}; there is: "
-                + ", ".join(self._frames.fields)
+                f"no field {name!r} in {self.frames.path}; there is: "
+                + ", ".join(self.frames.fields)
             )
-        return self._frames.reader.read(self.number, name)
+        return self.frames.reader.read(self.number, name)
 
 
 class Frames:
@@ -79,6 +100,11 @@ class Frames:
     def __repr__(self) -> str:
         return f"<{len(self)} frames of {', '.join(self.fields)} in {self.path}>"
 
+    def _repr_html_(self) -> str:
+        from lapilli.html import frames_as_html
+
+        return frames_as_html(self)
+
     def __getitem__(self, number: int) -> Frame:
         index = range(len(self))[number]
         return Frame(self, index, float(self.times[index]))
@@ -95,3 +121,86 @@ class Frames:
                 f"no frame at {time:g} s in {self.path}: they go from {first:g} s to {last:g} s"
             )
         return self[int(np.argmin(np.abs(self.times - time)))]
+
+    @property
+    def record_path(self) -> Path:
+        """Where the run record lies."""
+        return self.path.with_suffix(".json")
+
+    @functools.cached_property
+    def record(self) -> dict[str, Any] | None:
+        """The run record beside the frames; None where there is none."""
+        if not self.record_path.is_file():
+            return None
+        record: dict[str, Any] = json.loads(self.record_path.read_text())
+        return record
+
+    @functools.cached_property
+    def body_names(self) -> list[str] | None:
+        """Names by body number, fluid walls last; None without a run record."""
+        settings = (self.record or {}).get("settings")
+        if settings is None:
+            return None
+        walls = (settings.get("peridynamics") or {}).get("walls") or []
+        return [body.get("name", "") for body in [*settings["bodies"], *walls]]
+
+    @property
+    def body_count(self) -> int:
+        """Bodies that are no fluid walls; their points have lower numbers in the field "body". All
+        count as bodies where the run record is missing."""
+        settings = (self.record or {}).get("settings")
+        return int(np.iinfo(np.int64).max) if settings is None else len(settings["bodies"])
+
+    @functools.cached_property
+    def units(self) -> dict[str, str]:
+        """The unit of every field; empty where it has none."""
+        import h5py
+
+        units = dict.fromkeys(self.fields, "")
+        with h5py.File(self.path, "r") as file:
+            for name in units:
+                stored = file["VTKHDF/PointData"].get(name)
+                unit = "" if stored is None else stored.attrs.get("unit", "")
+                units[name] = unit.decode() if isinstance(unit, bytes) else str(unit)
+        return units
+
+    def unit(self, name: str) -> str:
+        """The unit of a field, or of a component of it."""
+        field, _ = parted(name)
+        return "m" if field == "position" else self.units[field]
+
+    @property
+    def dimension(self) -> int:
+        """1, 2 or 3."""
+        return {"m": 1, "m^2": 2}.get(self.units["volume"], 3)
+
+    def time_series(
+        self,
+        field: str,
+        probe: Sequence[float] | None = None,
+        point: int | None = None,
+    ) -> HistoryFrame | History:
+        """A field, or one component of it, in time: a table like ``result.history``.
+
+        Parameters
+        ----------
+        field
+            "temperature", "velocity.x"; all components where none is named.
+        probe
+            A position, m: the field is fitted linearly to the points around it, as a probe of the
+            run does, and is NaN where there is no material.
+        point
+            The id of a material point that is followed instead.
+        """
+        from lapilli.time_series import time_series
+
+        return time_series(self, field, probe, point)
+
+    def to_xarray(self, fields: Sequence[str] | None = None) -> xarray.Dataset:
+        """All frames, of all fields or those named, over time, point and component.
+
+        Reads everything into memory: 8 bytes a number.
+        """
+        from lapilli.export import frames_to_xarray
+
+        return frames_to_xarray(self, fields)

@@ -8,10 +8,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from lapilli.extras import required
+
 if TYPE_CHECKING:
     import pandas
 
+    from lapilli.history_frame import HistoryFrame
+
 Array = npt.NDArray[np.float64]
+Columns = Mapping[str, tuple[str, str]]  # unit and meaning by name
 
 
 class History(dict[str, Array]):
@@ -20,9 +25,7 @@ class History(dict[str, Array]):
     `unit` and `meaning` say what a name stands for.
     """
 
-    def __init__(
-        self, numbers: Mapping[str, Array], columns: Mapping[str, tuple[str, str]]
-    ) -> None:
+    def __init__(self, numbers: Mapping[str, Array], columns: Columns) -> None:
         super().__init__(numbers)
         self._columns = dict(columns)
 
@@ -30,7 +33,7 @@ class History(dict[str, Array]):
         return f"<history of {len(self.get('time', ()))} rows: {', '.join(self)}>"
 
     def __missing__(self, name: str) -> Array:
-        raise KeyError(f"no {name!r} in the history; there is: {', '.join(self)}")
+        raise KeyError(unknown_column(name, self))
 
     def unit(self, name: str) -> str:
         """The unit of a column; empty where it has none."""
@@ -42,9 +45,21 @@ class History(dict[str, Array]):
 
     def to_pandas(self) -> pandas.DataFrame:
         """A DataFrame with the time as its index."""
-        try:
-            import pandas
-        except ImportError as error:
-            raise ValueError("a DataFrame needs pandas: pip install pandas") from error
+        pandas = required("pandas", "a DataFrame")
         rest: dict[str, Any] = {name: values for name, values in self.items() if name != "time"}
-        return pandas.DataFrame(rest, index=pandas.Index(self["time"], name="time"))
+        index = pandas.Index(self["time"], name="time")
+        return pandas.DataFrame(rest, index=index)
+
+
+def unknown_column(name: object, known: Mapping[str, Any] | Any) -> str:
+    """The message for a column that is not there."""
+    return f"no {name!r} in the history; there is: {', '.join(map(str, known))}"
+
+
+def history_of(numbers: Mapping[str, Array], columns: Columns) -> History | HistoryFrame:
+    """A pandas DataFrame where pandas is installed, else a dict of arrays."""
+    try:
+        from lapilli.history_frame import HistoryFrame
+    except ImportError:
+        return History(numbers, columns)
+    return HistoryFrame.of(numbers, columns)

@@ -1,26 +1,36 @@
-"""Show how far a run has come: a bar on a terminal, a line at each tenth elsewhere."""
+"""Show how far a run has come: a bar on a terminal or in a notebook, else a line a tenth."""
 
 from __future__ import annotations
 
 import contextlib
+import html
 import sys
 from collections.abc import Callable, Iterator
+from typing import Any
 
 from lapilli._core import Progress, progress_text, readable_time
+from lapilli.extras import required
 
 Show = Callable[[Progress], None]
 
 
 @contextlib.contextmanager
 def progress_bar(wanted: bool = True) -> Iterator[Show | None]:
-    """A function that shows progress on standard error; None when none is wanted."""
+    """A function that shows progress; None when none is wanted."""
     if not wanted:
         yield None
+    elif _in_notebook():
+        yield _notebook_bar()
     elif sys.stderr.isatty():
         with _terminal_bar() as show:
             yield show
     else:
         yield _plain_lines()
+
+
+def _text(now: Progress) -> str:
+    text = progress_text(now)
+    return text + f", took {readable_time(now.seconds_elapsed)}" if now.fraction >= 1 else text
 
 
 def _plain_lines() -> Show:
@@ -36,6 +46,26 @@ def _plain_lines() -> Show:
     return show
 
 
+def _in_notebook() -> bool:
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython is not None else None
+    return shell is not None and getattr(shell, "kernel", None) is not None
+
+
+def _notebook_bar() -> Show:
+    """One output that is rewritten. (The bar of rich needs ipywidgets in notebooks, and shows
+    nothing in a saved one.)"""
+    ipython: Any = required("IPython.display", "progress in a notebook")
+    make, display = ipython.HTML, ipython.display
+    shown = display(make("building the scene"), display_id=True)
+
+    def show(now: Progress) -> None:
+        bar = f'<progress value="{now.fraction:.4f}" max="1" style="width:20em"></progress>'
+        shown.update(make(f"{bar} {100 * now.fraction:.0f} % {html.escape(_text(now))}"))
+
+    return show
+
+
 @contextlib.contextmanager
 def _terminal_bar() -> Iterator[Show]:
     from rich.console import Console
@@ -45,11 +75,4 @@ def _terminal_bar() -> Iterator[Show]:
     columns = (BarColumn(), TaskProgressColumn(), TextColumn("{task.description}"))
     with Bar(*columns, console=Console(stderr=True)) as bar:
         task = bar.add_task("building the scene", total=1.0)
-
-        def show(now: Progress) -> None:
-            text = progress_text(now)
-            if now.fraction >= 1:
-                text += f", took {readable_time(now.seconds_elapsed)}"
-            bar.update(task, completed=now.fraction, description=text)
-
-        yield show
+        yield lambda now: bar.update(task, completed=now.fraction, description=_text(now))

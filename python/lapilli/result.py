@@ -4,23 +4,34 @@ from __future__ import annotations
 
 import contextlib
 import copy
+import functools
 import json
+import logging
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from lapilli import _core
 from lapilli._core import Balance, RunSummary, Scene, Simulation
+from lapilli.components import component_of, parted
 from lapilli.frames import Frames
-from lapilli.history import History
+from lapilli.history import History, history_of
 from lapilli.part import Part, names_of
 from lapilli.progress import progress_bar
 
+if TYPE_CHECKING:
+    import xarray
+
+    from lapilli.history_frame import HistoryFrame
+
 Callback = Callable[[Simulation], Any]
+
+log = logging.getLogger("lapilli")
+log.addHandler(logging.NullHandler())  # silent until a program sets up its logging
 
 
 class Result:
@@ -29,8 +40,7 @@ class Result:
     ``result["temperature"]`` is a read-only view of the last state in the present order of the
     points; ``result.by_id("temperature")`` is a copy in the order of their ids. Both hold all
     points, those of fluid walls too; ``result.body("air")["temperature"]`` holds those of one
-    body.
-    ``result.history`` holds what was recorded in time.
+    body. One component of a field is ``result["velocity.x"]``, ``result["stress.xy"]``.
     """
 
     def __init__(
@@ -40,18 +50,48 @@ class Result:
         self.simulation = simulation
         self.summary = summary
         self.output = output
-        self.history = History(summary.history, summary.history_columns)
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:
-        return self.simulation[name]
+        field, component = parted(name)
+        values = self.simulation[field]
+        return component_of(values, name) if component else values
 
     def __repr__(self) -> str:
         state = "finished" if self.summary.finished else "stopped"
         return f"<{state} at {self.time:g} s, {len(self.simulation)} points>"
 
+    def _repr_html_(self) -> str:
+        from lapilli.html import result_as_html
+
+        return result_as_html(self)
+
+    @functools.cached_property
+    def history(self) -> HistoryFrame | History:
+        """What was recorded in time: a pandas DataFrame where pandas is installed, else a dict of
+        arrays. ``history.unit(name)`` and ``history.meaning(name)`` say what a column is."""
+        return history_of(self.summary.history, self.summary.history_columns)
+
     def by_id(self, name: str) -> npt.NDArray[Any]:
-        """A copy of a field with its rows in the order of the points' ids."""
-        return self.simulation.by_id(name)
+        """A copy of a field, or of a component, with its rows in the order of the points' ids."""
+        field, component = parted(name)
+        values = self.simulation.by_id(field)
+        return component_of(values, name) if component else values
+
+    def unit(self, name: str) -> str:
+        """The unit of a field, or of a component of it."""
+        field = parted(name)[0]
+        lengths = self.simulation.dimension
+        general = {"position": "m", "volume": "m" if lengths == 1 else f"m^{lengths}"}
+        if field in ("position", "volume", "id", "body"):
+            return general.get(field, "")
+        return self.simulation.unit(field)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """All frames over time, point and component; the last state where no frames were written.
+        Needs xarray."""
+        from lapilli.export import frames_to_xarray, state_to_xarray
+
+        return state_to_xarray(self) if self.output is None else frames_to_xarray(self.frames, None)
 
     def body(self, which: int | str) -> Part:
         """The points of one body or fluid wall, by its name or number (bodies first, from 0)."""
@@ -116,7 +156,8 @@ def run(
     """Run a scene, or the scene of a TOML file, to its end.
 
     Ctrl-C ends the run after its step, with frame and checkpoint written, and raises
-    ``KeyboardInterrupt``.
+    ``KeyboardInterrupt``. Start and end of the run go to the logger "lapilli" (INFO), its notes and
+    warnings too (WARNING).
 
     Parameters
     ----------
@@ -137,9 +178,15 @@ def run(
     path = Path(scene.output.path) if scene.output.path else None
     with _thread_count(threads):
         simulation = Simulation(scene)
+        name = scene.title or "scene"
+        log.info("%s: run of %d points to %g s", name, len(simulation), simulation.end)
         with progress_bar(progress) as show:
             summary = _core.run_simulation(simulation, scene, resume, show, callback)
-    return Result(simulation, summary, path, scene)
+    result = Result(simulation, summary, path, scene)
+    for note in [*summary.notes, *(result.warnings if path else [])]:
+        log.warning("%s: %s", name, note)
+    log.info("%s: %r, %d steps, %.3g CPU s", name, result, summary.steps, summary.cpu_seconds)
+    return result
 
 
 def with_output(

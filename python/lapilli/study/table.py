@@ -54,6 +54,11 @@ class Table:
     def __repr__(self) -> str:
         return f"<{len(self.rows)} settings, {len(self.front)} on the front; {self.advice()}>"
 
+    def _repr_html_(self) -> str:
+        from lapilli.html import study_as_html
+
+        return study_as_html(self)
+
     @property
     def worked(self) -> bool:
         """Whether any setting has an error to show."""

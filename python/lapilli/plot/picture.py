@@ -1,0 +1,165 @@
+"""Pictures of single frames, of one run or of several beside each other."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from lapilli.components import MAGNITUDE, component_names, parted
+from lapilli.frames import Frame, Frames
+from lapilli.plot.canvas import dot_areas, ends_of, panels_for, require_matplotlib
+from lapilli.plot.overlays import draw_contours, draw_vectors
+from lapilli.plot.style import Style
+from lapilli.plot.view import NAMES, View, drawn_field, view_of
+from lapilli.whole_file import whole_file
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Source = str | os.PathLike[str] | Frames
+Limits = tuple[float, float]
+
+
+def draw(
+    source: Source | Sequence[Source],
+    field: str | None = None,
+    time: float | None = None,
+    save: str | os.PathLike[str] | None = None,
+    style: Style | None = None,
+) -> Figure:
+    """A picture of one frame, written to `save`; of several runs beside each other, coloured alike.
+
+    Parameters
+    ----------
+    field
+        "temperature", "velocity.x", "stress.xy", "velocity" (its magnitude).
+    time
+        The last frame unless given, s; the nearest frame is taken. Times before the first or after
+        the last frame are a ``ValueError``.
+    style
+        Arrows, contours, cuts, colours.
+    """
+    require_matplotlib()
+    import matplotlib.pyplot as plt
+
+    style = style or Style()
+    runs = frames_of(source)
+    field = drawn_field(runs[0], field)
+    shown = [run[-1] if time is None else run.at(time) for run in runs]
+    views = [view_of(frame, field, style) for frame in shown]
+    figure, axes = panels_for([[view] for view in views])
+    paint(
+        figure, axes, shown, views, style, limits_of(views, style), colours_of(runs, field, style)
+    )
+    if len(runs) > 1:
+        for panel, run in zip(axes, runs, strict=True):
+            panel.set_title(f"{run.path.stem}, {panel.get_title()}")
+    if save is not None:
+        with whole_file(save) as written:
+            figure.savefig(written, dpi=150)
+    plt.close(figure)
+    return figure
+
+
+def frames_of(source: Source | Sequence[Source]) -> list[Frames]:
+    """The frames of each run that was named."""
+    several: Sequence[Source] = (
+        [source] if isinstance(source, (str, os.PathLike, Frames)) else source
+    )
+    return [one if isinstance(one, Frames) else Frames(one) for one in several]
+
+
+def limits_of(views: Sequence[View], style: Style) -> Limits:
+    """The ends of the colours: those of all values that are shown; symmetric if both signs are."""
+    if style.limits is not None:
+        return style.limits
+    low = min(float(np.nanmin(view.values[view.rows])) for view in views)
+    high = max(float(np.nanmax(view.values[view.rows])) for view in views)
+    return low, high
+
+
+def colours_of(runs: Sequence[Frames], field: str, style: Style) -> str:
+    """A map with a middle for components of either sign, else one from dark to light."""
+    if style.colours is not None:
+        return style.colours
+    name, component = parted(field)
+    is_signed = component not in ("", MAGNITUDE) and bool(component_names(runs[0][0][name]))
+    return "coolwarm" if is_signed else "inferno"
+
+
+def paint(
+    figure: Figure,
+    axes: Sequence[Axes],
+    frames: Sequence[Frame],
+    views: Sequence[View],
+    style: Style,
+    limits: Limits,
+    colours: str,
+    held: Sequence[Sequence[View]] | None = None,
+) -> list[Any]:
+    """One panel for each view, with room for the views of each that are `held`; returns what is
+    coloured."""
+    if colours == "coolwarm" and style.limits is None:
+        end = max(abs(limits[0]), abs(limits[1]))
+        limits = -end, end
+    drawn = [
+        draw_view(panel, view, limits, colours) for panel, view in zip(axes, views, strict=True)
+    ]
+    for panel, frame, view in zip(axes, frames, views, strict=True):
+        if view.is_plane and style.contours:
+            draw_contours(panel, view, style.contours)
+        if view.is_plane and style.vectors:
+            draw_vectors(panel, frame, view, style.vectors)
+    if views[0].is_plane:
+        for panel, room in zip(axes, held or [[view] for view in views], strict=True):
+            low, high = ends_of(room)
+            panel.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+        figure.colorbar(drawn[0], ax=list(axes), label=views[0].label, shrink=0.9, aspect=30)
+    figure.draw_without_rendering()  # lays out the panels, so that metres have a size
+    for panel, view, dots in zip(axes, views, drawn, strict=True):
+        if view.is_plane:
+            fit_dots(panel, view, dots)
+    return drawn
+
+
+def draw_view(axes: Axes, view: View, limits: Limits, colours: str) -> Any:
+    """Points coloured by their values; in one dimension a curve."""
+    axes.set_title(f"t = {view.time:.4g} s", fontsize=10)
+    axes.set_xlabel(NAMES[view.axes[0]])
+    if not view.is_plane:
+        order = view.rows[np.argsort(view.position[view.rows, 0])]
+        axes.set_ylabel(view.label)
+        room = 0.05 * (limits[1] - limits[0])
+        if room > 0:
+            axes.set_ylim(limits[0] - room, limits[1] + room)
+        axes.grid(alpha=0.3)
+        return axes.plot(view.position[order, 0], view.values[order], ".-", markersize=3)[0]
+    axes.set_ylabel(NAMES[view.axes[1]])
+    first, second = view.axes
+    if len(view.walls):
+        walls = view.position[view.walls]
+        axes.scatter(walls[:, first], walls[:, second], c="0.8", marker="s", linewidths=0)
+    dots = axes.scatter(
+        view.position[view.rows, first],
+        view.position[view.rows, second],
+        c=view.values[view.rows],
+        vmin=limits[0],
+        vmax=limits[1],
+        cmap=colours,
+        linewidths=0,
+        marker="s",
+    )
+    axes.set_aspect("equal")
+    return dots
+
+
+def fit_dots(axes: Axes, view: View, dots: Any) -> None:
+    """Give dots the size of the points' boxes, now that the axes are laid out."""
+    dots.set_sizes(dot_areas(axes, view.spacing[view.rows]))
+    if len(view.walls):
+        walls: Any = next(one for one in axes.collections if one is not dots)
+        walls.set_sizes(dot_areas(axes, view.spacing[view.walls]))

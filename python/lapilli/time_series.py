@@ -1,0 +1,63 @@
+"""A field at one position, or of one point, in time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from lapilli.components import component_names, parted, require_field
+from lapilli.history import History, history_of
+from lapilli.probing import fit_at, value_at
+
+if TYPE_CHECKING:
+    from lapilli.frames import Frame, Frames
+    from lapilli.history_frame import HistoryFrame
+
+Array = npt.NDArray[Any]
+
+
+def time_series(
+    frames: Frames, field: str, probe: Sequence[float] | None, point: int | None
+) -> HistoryFrame | History:
+    """See ``Frames.time_series``."""
+    if (probe is None) == (point is None):
+        raise ValueError("a time series needs either probe=(x, y) or point=id")
+    require_field(field, [*frames.fields, "position"], frames.path)
+    read = _follower(frames, point) if point is not None else _prober(frames, probe or ())
+    rows = [read(frame, field) for frame in frames]
+    numbers = dict(zip(_names(frames[0], field), np.transpose(rows), strict=True))
+    where = f"point {point}" if probe is None else f"({', '.join(f'{x:g}' for x in probe)})"
+    columns = {name: (frames.unit(field), f"{name} at {where}") for name in numbers}
+    return history_of({"time": frames.times, **numbers}, {"time": ("s", "time"), **columns})
+
+
+def _names(frame: Frame, field: str) -> list[str]:
+    names = () if parted(field)[1] else component_names(frame[field])
+    return [f"{field}.{name}" for name in names] or [field]
+
+
+def _follower(frames: Frames, point: int) -> Callable[[Frame, str], Array]:
+    count = len(frames[0].position)
+    if not 0 <= point < count:
+        raise ValueError(
+            f"there is no point {point} in {frames.path}: ids go from 0 to {count - 1}"
+        )
+    return lambda frame, field: np.atleast_1d(frame[field][point])
+
+
+def _prober(frames: Frames, probe: Sequence[float]) -> Callable[[Frame, str], Array]:
+    dimension = frames.dimension
+    to = np.asarray(probe, dtype=float)
+    if to.shape != (dimension,):
+        raise ValueError(f"probe needs {dimension} coordinates, m, got {list(probe)}")
+
+    def read(frame: Frame, field: str) -> Array:
+        body = frame["body"]
+        own = np.flatnonzero(body < frames.body_count)
+        fit = fit_at(frame.position[own, :dimension], frame["volume"][own], body[own], to)
+        return value_at(frame[field][own], fit)
+
+    return read
