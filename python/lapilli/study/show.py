@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import argparse
 import sys
-from pathlib import Path
+from collections.abc import Sequence
 
 from lapilli._core import Scene
+from lapilli.console import beside, print_json, say
 from lapilli.study.measure import Measurement
 from lapilli.study.runner import LocalPool
 from lapilli.study.settings import parse_variation
@@ -14,40 +14,63 @@ from lapilli.study.table import Table
 from lapilli.study.tradeoff import tradeoff
 
 
-def show_study(scene: Scene, given: argparse.Namespace) -> bool:
+def show_study(
+    scene: Scene,
+    vary: Sequence[str],
+    reference: str,
+    *,
+    name: str,
+    times: str | None,
+    field: str,
+    repeats: int,
+    workers: int,
+    threads: int,
+    target_error: float | None,
+    budget: float | None,
+    json: bool,
+    quiet: bool,
+) -> bool:
     """Run the study that was asked for; write its files beside each other; print it. Whether any
     setting worked."""
-    name = given.output or Path(given.scene).stem + "-tradeoff"
-    vary = dict(parse_variation(text) for text in given.vary)
-    if len(vary) < len(given.vary):
+    parted = [parse_variation(text) for text in vary]
+    if len(dict(parted)) < len(parted):
         raise ValueError("--vary names one path twice: give all its values at once")
     table = tradeoff(
         scene,
-        vary,
-        given.reference,
-        times=None if given.times is None else times_of(given.times),
-        field=given.field,
-        repeats=given.repeats,
-        threads=given.threads,
-        runner=LocalPool(given.workers),
+        dict(parted),
+        reference,
+        times=None if times is None else times_of(times),
+        field=field,
+        repeats=repeats,
+        threads=threads,
+        runner=LocalPool(workers),
         store=name + ".jsonl",
-        report=report,
+        report=None if quiet else report,
     )
     for note in table.notes:
-        print(note, file=sys.stderr)
+        say(note)
     table.to_csv(name + ".csv")
     table.to_json(name + ".json")
-    print_table(table)
-    try:
-        table.picture(name + ".png")
-        print(f"wrote {name}.csv, .json, .png")
-    except ValueError as error:
-        print(f"wrote {name}.csv, .json; no picture: {error}")
+    picture = save_picture(table, name + ".png")
+    if json:
+        print_json([row.as_json() for row in table.rows])
+    else:
+        print_table(table)
+    say(f"wrote {name}.csv, .json{picture}", quiet, beside(json))
     if not table.worked:
-        print(f"lapilli: {table.advice()}", file=sys.stderr)
+        say(f"lapilli: {table.advice()}")
         return False
-    print(table.advice(given.target_error, given.budget))
+    say(table.advice(target_error, budget), quiet and json, beside(json))
     return True
+
+
+def save_picture(table: Table, path: str) -> str:
+    """Draw it where matplotlib is installed; what to say of it."""
+    try:
+        table.picture(path)
+    except ValueError as error:
+        return f"; no picture: {error}"
+    return ", .png"
 
 
 def times_of(text: str) -> list[float]:

@@ -1,0 +1,39 @@
+"""What several commands share: the scene with its changes, how much is said."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+from cyclopts.validators import Number
+
+from lapilli._core import Scene
+
+SceneFile = Annotated[Path, Parameter(help="scene file (TOML)")]
+FramesFile = Annotated[Path, Parameter(help="frames (.vtkhdf)")]
+Changes = Annotated[
+    list[str] | None,
+    Parameter(
+        name="--set",
+        negative=(),
+        help="change one member of the scene, PATH=VALUE: grid.cell=0.05; may be repeated",
+    ),
+]
+Json = Annotated[bool, Parameter(negative=(), help="results as JSON on standard output")]
+Quiet = Annotated[
+    bool, Parameter(name=("--quiet", "-q"), negative=(), help="say nothing but results")
+]
+Verbose = Annotated[
+    bool,
+    Parameter(name=("--verbose", "-v"), negative=(), help="say more, and where errors come from"),
+]
+Count = Annotated[int, Parameter(validator=Number(gte=1, lte=4096))]
+
+
+def load(path: Path, changes: list[str] | None) -> Scene:
+    """The scene of a file with its changes."""
+    scene = Scene.load(path)
+    for change in changes or ():
+        scene = scene.set(change)
+    return scene
