@@ -16,6 +16,8 @@ COMMANDS = (
     "schema",
     "examples",
     "tradeoff",
+    "study",
+    "suggest",
     "reproduce",
     "extremes",
     "completion",

@@ -29,6 +29,10 @@ Verbose = Annotated[
     Parameter(name=("--verbose", "-v"), negative=(), help="say more, and where errors come from"),
 ]
 Count = Annotated[int, Parameter(validator=Number(gte=1, lte=4096))]
+Workers = Annotated[Count, Parameter(help="runs at once, each in a process")]
+Scheduler = Annotated[
+    str | None, Parameter(help="run on a Dask scheduler, tcp://host:8786, instead")
+]
 
 
 def load(path: Path, changes: list[str] | None) -> Scene:

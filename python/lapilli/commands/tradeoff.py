@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from cyclopts import Parameter
 
 from lapilli.commands.codes import FINISHED, RUN_FAILED
-from lapilli.commands.options import Changes, Count, Json, Quiet, SceneFile, Verbose, load
+from lapilli.commands.options import (
+    Changes,
+    Count,
+    Json,
+    Quiet,
+    SceneFile,
+    Scheduler,
+    Verbose,
+    Workers,
+    load,
+)
 
 
 def command(
@@ -23,15 +33,28 @@ def command(
         ),
     ],
     reference: Annotated[
-        str,
+        str | None,
         Parameter(
-            help="radial, slab, finer:grid.cell=0.05, a .vtkhdf file, or module:function",
+            help="radial, slab, finer:grid.cell=0.05, a .vtkhdf file, or module:function; "
+            "a finer run of the scene unless given",
         ),
-    ],
+    ] = None,
     times: Annotated[str | None, Parameter(help="S,S,...; the end unless given")] = None,
     field: Annotated[str, Parameter(help="which field; temperature unless given")] = "temperature",
+    quantity: Annotated[
+        list[str] | None,
+        Parameter(
+            negative=(),
+            help="a field, or a scalar of the history (heat/supplied_by_rims); may be repeated, "
+            "the first ranks",
+        ),
+    ] = None,
+    norm: Annotated[
+        Literal["rms", "max", "mean", "relative"], Parameter(help="of the error")
+    ] = "rms",
     repeats: Count = 3,
-    workers: Annotated[Count, Parameter(help="runs at once")] = 1,
+    workers: Workers = 1,
+    scheduler: Scheduler = None,
     threads: Annotated[Count, Parameter(help="threads of each run")] = 1,
     target_error: Annotated[float | None, Parameter(help="name the cheapest within")] = None,
     budget: Annotated[float | None, Parameter(help="name the best within CPU s")] = None,
@@ -45,9 +68,11 @@ def command(
 ) -> int:
     """Measure error against cost.
 
-    Exit code 1 when no setting worked.
+    Cost is building, stepping and output, as a user waits for them. Exit code 1 when no setting
+    worked.
     """
     del verbose
+    from lapilli.study.runner import runner_of
     from lapilli.study.show import show_study
 
     worked = show_study(
@@ -56,9 +81,10 @@ def command(
         reference,
         name=output or scene.stem + "-tradeoff",
         times=times,
-        field=field,
+        quantities=quantity or [field],
+        norm=norm,
         repeats=repeats,
-        workers=workers,
+        runner=runner_of(workers, scheduler),
         threads=threads,
         target_error=target_error,
         budget=budget,

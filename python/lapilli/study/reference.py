@@ -93,6 +93,12 @@ def from_finer_run(scene: Scene, finer: Setting, field: str, times: Sequence[flo
     return PointsReference(np.asarray(times, float), positions, values)
 
 
+def parse_finer(text: str) -> Setting:
+    """The setting of "finer:grid.cell=0.05; time.steps=40"."""
+    changes = [parse_variation(change) for change in text.removeprefix("finer:").split(";")]
+    return Setting(tuple((path, ",".join(values)) for path, values in changes))
+
+
 def named_function(text: str) -> FunctionReference:
     """The function of "module:function"."""
     module, _, name = text.partition(":")
@@ -123,13 +129,7 @@ def reference_of(
         truth: Reference = shipped(text, scene)
         return truth
     if text.startswith("finer:"):
-        changes = [parse_variation(change) for change in text[6:].split(";")]
-        return from_finer_run(
-            scene,
-            Setting(tuple((path, ",".join(values)) for path, values in changes)),
-            field,
-            times,
-        )
+        return from_finer_run(scene, parse_finer(text), field, times)
     if Path(text).suffix == ".vtkhdf":
         return from_frames(text, field)
     if ":" in text:
