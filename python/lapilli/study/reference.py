@@ -19,6 +19,8 @@ from lapilli.study.settings import Setting, parse_variation
 Array = npt.NDArray[Any]
 Function = Callable[[Array, float], npt.ArrayLike]
 
+MOST_FAR = 0.1  # of the points, that may lie outside of the points of a reference
+
 
 class Reference(Protocol):
     """The true values of a field: positions (n, dimension) and a time to values (n,) or (n, k)."""
@@ -61,6 +63,11 @@ def interpolate(known: Array, values: Array, wanted: Array) -> Array:
     count = min(3**dimension, len(known))
     distances, neighbours = cKDTree(known).query(wanted, k=count)
     distances, neighbours = distances.reshape(-1, count), neighbours.reshape(-1, count)
+    far = distances[:, 0] > 3 * np.median(distances[:, -1])
+    if far.mean() > MOST_FAR:
+        raise ValueError(
+            f"{far.mean():.0%} of the points lie outside of the reference: it is of another scene"
+        )
     reach = distances[:, -1:] * (1 + 1e-6) + 1e-300
     weights = (1 - (distances / reach) ** 2) ** 2 + 1e-3
     offsets = (known[neighbours] - wanted[:, None, :]) / reach[:, :, None]
