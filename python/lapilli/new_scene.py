@@ -26,7 +26,7 @@ class Method:
 METHODS = {
     "heat": Method("heat in a solid: a disk in hot air", 0.1, 40, 120.0, 2.0),
     "soil": Method("large deformation: a column of sand that collapses", 1.0, 20, 1.0, 0.5),
-    "static": Method("equilibrium: a cantilever under a load", 1.0, 40, 1.0, 0.0),
+    "static": Method("equilibrium: a cantilever under a load", 1.0, 80, 1.0, 0.0),
     "flow": Method("buoyant flow: air between a hot and a cold wall", 0.02, 25, 4.0, 2.0),
 }
 

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from cyclopts import Parameter
 
 from lapilli.commands.codes import BAR_MISSED, FINISHED
-from lapilli.commands.options import Quiet, Verbose
+from lapilli.commands.options import JsonFile, Quiet, Verbose
 
 Transfer = Literal["nodal", "flip", "pic", "tpic", "affine", "peridynamics", "dynamics"]
 
@@ -22,7 +22,7 @@ def command(
         ),
     ] = None,
     quick: Annotated[bool, Parameter(negative=(), help="four steps a case")] = False,
-    json: Annotated[str | None, Parameter(help="file for every step; - prints them alone")] = None,
+    json: JsonFile = None,
     plot: Annotated[str | None, Parameter(help="folder for the map")] = None,
     quiet: Quiet = False,
     verbose: Verbose = False,

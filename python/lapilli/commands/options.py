@@ -21,6 +21,20 @@ Changes = Annotated[
     ),
 ]
 Json = Annotated[bool, Parameter(negative=(), help="results as JSON on standard output")]
+
+
+def is_file(_: object, text: str | None) -> None:
+    """What follows a word that needs a file is none where it is an option; - is standard output."""
+    if text is not None and text.startswith("-") and text != "-":
+        raise ValueError(f"a file is needed, not the option {text}")
+
+
+JsonFile = Annotated[
+    str | None,
+    Parameter(
+        allow_leading_hyphen=True, validator=is_file, help="file for the rows; - prints them alone"
+    ),
+]
 Quiet = Annotated[
     bool, Parameter(name=("--quiet", "-q"), negative=(), help="say nothing but results")
 ]

@@ -7,14 +7,14 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from lapilli.commands.codes import BAR_MISSED, FINISHED
-from lapilli.commands.options import Quiet, Verbose
+from lapilli.commands.options import JsonFile, Quiet, Verbose
 
 
 def command(
     *case: Annotated[str, Parameter(help="vhfm/ring, or vhfm for all of it; all if none")],
     list: Annotated[bool, Parameter(negative=(), help="list the cases")] = False,
     quick: Annotated[bool, Parameter(negative=(), help="smaller sizes, in seconds")] = False,
-    json: Annotated[str | None, Parameter(help="file for the rows; - prints them alone")] = None,
+    json: JsonFile = None,
     plot: Annotated[str | None, Parameter(help="folder for the paper's figures")] = None,
     quiet: Quiet = False,
     verbose: Verbose = False,

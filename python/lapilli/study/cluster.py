@@ -34,7 +34,8 @@ class DaskCluster:
             seen = time.monotonic()
             while running:
                 try:
-                    distributed.wait(list(running), timeout=2.0, return_when="FIRST_COMPLETED")
+                    with client.as_current():
+                        distributed.wait(list(running), timeout=2.0, return_when="FIRST_COMPLETED")
                 except TimeoutError:
                     seen = self._last_seen(client, seen)
                     continue

@@ -33,9 +33,14 @@ class Rung:
 
     @property
     def cost(self) -> Cost:
-        """What it took."""
+        """What it takes; its output where that was measured."""
         assert self.seen is not None
         return self.seen.cost
+
+    @property
+    def effort(self) -> float:
+        """CPU seconds that it took here: its output was not written."""
+        return self.cost.build_seconds + self.cost.cpu_seconds
 
 
 @dataclass(frozen=True)
@@ -48,6 +53,7 @@ class Climb:
     fields: tuple[str, ...]
     times: tuple[float, ...]
     threads: int = 1
+    output_cost: bool = False
 
     def __call__(self) -> Rung:
         """Run; a setting that does not work is a result."""
@@ -57,7 +63,7 @@ class Climb:
                 self.times,
                 self.fields,
                 threads=self.threads,
-                output_cost=True,
+                output_cost=self.output_cost,
             )
         except ValueError as error:
             return self.without_error(f"refused: {error}")
@@ -173,7 +179,10 @@ class Ladder:
         that of an explicit scheme."""
         if len(self.rungs) < 2:
             return 2.0 ** (dimension_of(self.rungs) + 2)
-        costs: Sequence[Any] = [getattr(rung.cost, what) for rung in self.rungs[-2:]]
+        costs: Sequence[Any] = [
+            rung.effort if what == "effort" else getattr(rung.cost, what)
+            for rung in self.rungs[-2:]
+        ]
         grown = float(costs[1]) / max(float(costs[0]), 1e-12)
         most: float = 2.0 ** (dimension_of(self.rungs) + 2.5)
         return min(max(grown, 2.0), most)

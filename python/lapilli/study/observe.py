@@ -86,7 +86,7 @@ def observe(
     if left:
         snapshots.append(snapshot(simulation, scene, left.pop(0), fields))
     units = {name: unit for name, (unit, _) in summary.history_columns.items()}
-    units |= {name: simulation.unit(name) for name in fields}
+    units |= {name: unit_of(simulation, name) for name in fields}
     steps, time = max(1, summary.steps), simulation.time
     per_step = (clock.cpu["steps"] / steps, clock.wall["steps"] / steps)
     output = write_frames(simulation, quiet, per_step) if output_cost else Clock()
@@ -156,13 +156,21 @@ def require_fields(simulation: Simulation, fields: Sequence[str]) -> None:
             raise ValueError(_core.unknown_name("field", name, simulation.fields))
 
 
+def unit_of(simulation: Simulation, field: str) -> str:
+    """The unit of a field; empty for what is no field of a physics, such as the volume."""
+    try:
+        return "m" if field == "position" else simulation.unit(field)
+    except KeyError:
+        return ""
+
+
 def names_of(scene: Scene, wanted: Sequence[str] = ()) -> tuple[list[str], dict[str, str]]:
     """The fields of a scene, and the units of fields and scalars; a step is taken to see the
     scalars, unless all that is wanted are fields."""
     quiet = copy.copy(scene)
     quiet.output = Output()
     simulation = Simulation(quiet)
-    units = {name: simulation.unit(name) for name in simulation.fields}
+    units = {name: unit_of(simulation, name) for name in simulation.fields}
     if not wanted or any(name not in units for name in wanted):
         columns = _core.run_simulation(
             simulation, quiet, False, None, lambda _: False

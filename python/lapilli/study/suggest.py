@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from lapilli._core import Scene
 from lapilli.study.fitting import with_cell
@@ -125,7 +125,7 @@ class Search:
             base = reached[0]
             tried = self.try_variants(ladder, base)
             good = [one for one in tried if one.error <= SAFE * self.target]
-            best = min([base, *good], key=lambda one: one.rung.cost.total_cpu_seconds)
+            best = min([base, *good], key=lambda one: one.rung.effort)
             return self.found(best, ladder, tried)
         if ladder.falls_as_it_should():
             return self.extrapolated(ladder)
@@ -140,24 +140,25 @@ class Search:
         while len(ladder.rungs) < MOST_RUNGS and level < MOST_RUNGS:
             rungs = ladder.rungs
             if rungs:
-                next_cost = rungs[-1].cost.total_cpu_seconds * ladder.growth("total_cpu_seconds")
+                next_cost = rungs[-1].effort * ladder.growth("effort")
                 if self.spent + next_cost > self.budget:
                     break
             work = self.work(self.rung_setting(level))
             level += 1
             if rungs and work.cell > 0.8 * rungs[-1].cell:
                 continue  # the grid allows no cell between
-            rung = self.do(work)
+            (rung,) = self.do([work])
             if rung.seen is None:
-                if rungs or level > 1:
-                    failures.append(rung.reason)
+                failures.append(rung.reason)
+                if level > 1:
                     break
-                continue  # too coarse for the scene
+                rungs.clear()  # too coarse for the scene, and so were those before
+                continue
             rungs.append(rung)
             if self.is_enough(ladder):
                 break
         if not ladder.rungs:
-            raise ValueError("no run worked: " + "; ".join(failures or ["too coarse"]))
+            raise ValueError("no run worked: " + "; ".join(dict.fromkeys(failures)))
         return ladder
 
     def is_enough(self, ladder: Ladder) -> bool:
@@ -188,40 +189,47 @@ class Search:
         fields = (self.judge.name,) if self.judge.is_field else ()
         return Climb(self.scene, setting, cell, fields, self.judge.times, self.threads)
 
-    def do(self, work: Climb) -> Rung:
+    def do(self, works: list[Climb]) -> list[Rung]:
         """Run, and count what it took."""
-        rung = next(iter(self.runner.run([work])))
-        if rung.seen is not None:
-            self.spent += rung.cost.total_cpu_seconds
-            self.tell(f"{rung.setting}: {rung.cost.total_cpu_seconds:.3g} CPU s")
-        else:
-            self.tell(f"{rung.setting}: {rung.reason}")
-        return rung
+        rungs = list(self.runner.run(works))
+        for rung in rungs:
+            if rung.seen is None:
+                self.tell(f"{rung.setting}: {rung.reason}")
+            else:
+                self.spent += rung.effort
+                self.tell(f"{rung.setting}: {rung.effort:.3g} CPU s")
+        return rungs
 
     def try_variants(self, ladder: Ladder, base: Grade) -> list[Grade]:
-        """Other settings at the cell that reached the target and at twice the cell, as far as the
-        budget goes and they may be cheaper."""
-        tried: list[Grade] = []
+        """Other settings at the cell that reached the target and at twice the cell, as many as the
+        budget allows if each takes what that of the scene took."""
         coarser = [one for one in ladder.rungs if one.cell > 1.5 * base.rung.cell]
+        works: list[Climb] = []
+        planned = self.spent
         for rung in [base.rung, *coarser[-1:]]:
             for variant in variants_of(self.scene):
-                if self.spent + rung.cost.total_cpu_seconds > self.budget:
-                    return tried
-                kept = [one for one in rung.setting.changes if one[0] not in dict(variant.changes)]
-                if any(path == "time.steps" for path, _ in variant.changes):
-                    kept = [one for one in kept if one[0] != "time.step"]
-                found = self.do(self.work(Setting((*kept, *variant.changes))))
-                if found.seen is not None:
-                    tried.append(ladder.grade(found))
-        return tried
+                planned += rung.effort
+                if planned <= self.budget:
+                    works.append(self.work(merged(rung.setting, variant)))
+        return [ladder.grade(one) for one in self.do(works) if one.seen is not None]
 
     def found(self, best: Grade, ladder: Ladder, tried: list[Grade]) -> Suggestion:
-        """A setting that was run."""
-        cost = best.rung.cost
+        """A setting that was run; once more, to see what its output takes."""
+        (again,) = self.do([replace(self.work(best.rung.setting), output_cost=True)])
+        cost = best.rung.cost if again.seen is None else again.cost
         return Suggestion(
-            self.target, self.judge, best, "", cost.total_cpu_seconds, cost.total_wall_seconds,
-            cost.peak_memory, True, self.spent, ladder, tried,
-        )  # fmt: skip
+            self.target,
+            self.judge,
+            best,
+            "",
+            cost.total_cpu_seconds,
+            cost.total_wall_seconds,
+            cost.peak_memory,
+            True,
+            self.spent,
+            ladder,
+            tried,
+        )
 
     def extrapolated(self, ladder: Ladder) -> Suggestion:
         """The cell that the design order asks for, at most two halvings beyond the finest run."""
@@ -263,3 +271,12 @@ class Search:
             self.target, self.judge, None, said, math.nan, math.nan, math.nan, False, self.spent,
             ladder,
         )  # fmt: skip
+
+
+def merged(setting: Setting, variant: Setting) -> Setting:
+    """A setting with the changes of a variant in place of its own."""
+    paths = {path for path, _ in variant.changes}
+    if "time.steps" in paths:
+        paths.add("time.step")
+    kept = [one for one in setting.changes if one[0] not in paths]
+    return Setting((*kept, *variant.changes))

@@ -36,7 +36,7 @@ def text_of(found: Suggestion, scene_file: str) -> str:
     grade = found.grade
     words = " ".join(f"--set {path}={quoted(value)}" for path, value in grade.rung.setting.changes)
     high = f"{grade.high:.2g}" if math.isfinite(grade.high) else "unknown"
-    cost = "measured" if found.was_run else "predicted: it was not run"
+    cost = "measured" if found.was_run else "predicted, without output"
     return "\n".join(
         [
             f"lapilli run {scene_file} {words}",
@@ -78,11 +78,17 @@ def as_json(found: Suggestion) -> dict[str, Any]:
             {
                 "setting": dict(one.rung.setting.changes),
                 "error": one.error,
-                "cpu_seconds": one.rung.cost.total_cpu_seconds,
+                "cpu_seconds": one.rung.effort,
             }
             for one in (*found.ladder.graded(), *found.tried)
         ],
     }
+
+
+def star_of(found: Suggestion) -> float:
+    """Cost of the suggestion as the runs count it."""
+    rung = None if found.grade is None else found.grade.rung
+    return found.cpu_seconds if rung is None or rung.seen is None else rung.effort
 
 
 def draw(found: Suggestion, path: str | os.PathLike[str] | None = None) -> Figure:
@@ -91,7 +97,7 @@ def draw(found: Suggestion, path: str | os.PathLike[str] | None = None) -> Figur
     import matplotlib.pyplot as plt
 
     figure, axes = plt.subplots(figsize=(6.4, 4.8), layout="constrained")
-    ladder = [(one.rung.cost.total_cpu_seconds, max(one.error, 1e-16), one.rung.cell)
+    ladder = [(one.rung.effort, max(one.error, 1e-16), one.rung.cell)
               for one in found.ladder.graded()]  # fmt: skip
     if ladder:
         cost, error = zip(*((x, y) for x, y, _ in ladder), strict=True)
@@ -99,17 +105,17 @@ def draw(found: Suggestion, path: str | os.PathLike[str] | None = None) -> Figur
         for x, y, cell in ladder:
             note = f"{cell:.3g} m"
             axes.annotate(note, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=7)
-    others = [(one.rung.cost.total_cpu_seconds, max(one.error, 1e-16)) for one in found.tried]
+    others = [(one.rung.effort, max(one.error, 1e-16)) for one in found.tried]
     if others:
         axes.plot(*zip(*others, strict=True), "x", color="0.5", label="other settings tried")
     if found.grade is not None:
         axes.plot(
-            found.cpu_seconds, max(found.grade.error, 1e-16), "*", ms=14, color="C3",
+            star_of(found), max(found.grade.error, 1e-16), "*", ms=14, color="C3",
             label="suggested" + ("" if found.was_run else " (predicted)"),
         )  # fmt: skip
     axes.axhline(found.target, color="C2", ls="--", lw=1, label="target")
     axes.set(
-        xscale="log", yscale="log", xlabel="CPU time (s): building, stepping, output",
+        xscale="log", yscale="log", xlabel="CPU time (s) of building and stepping",
         ylabel=f"{found.judge.norm} error of {found.judge.name}",
     )  # fmt: skip
     axes.grid(which="both", alpha=0.2)

@@ -80,7 +80,7 @@ from lapilli.study import LocalPool, tradeoff
 print("once")  # a worker that imports the script again prints again
 
 def truth(position, time):
-    return 0 * position[:, 0]
+    return 0.5 + 0 * position[:, 0]
 
 scene = lp.Scene.load("ring.toml")
 table = tradeoff(scene, {{"grid.cell": [1.0]}}, truth, repeats=1, runner=LocalPool(2))
