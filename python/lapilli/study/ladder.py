@@ -127,6 +127,14 @@ class Ladder:
 
     judge: Judge
     rungs: list[Rung] = field(default_factory=list)
+    _known: dict[tuple[int, int], float] = field(default_factory=dict, repr=False)
+
+    def difference(self, coarse: Rung, fine: Rung) -> float:
+        """How far a run is from a finer one, found once."""
+        key = (id(coarse), id(fine))
+        if key not in self._known:
+            self._known[key] = self.judge.difference(coarse, fine)
+        return self._known[key]
 
     def graded(self) -> list[Grade]:
         """Every rung but the finest, judged by the finest: with design order p, a cell m halvings
@@ -138,7 +146,7 @@ class Ladder:
     def grade(self, rung: Rung) -> Grade:
         """Any run judged by the finest rung."""
         finest = self.rungs[-1]
-        difference = self.judge.difference(rung, finest)
+        difference = self.difference(rung, finest)
         ratio = max(rung.cell / finest.cell, 1.0)
         if ratio < 1.5:  # as fine as its judge, which errs as much
             return Grade(rung, 2 * difference, difference, math.inf, "as fine as its judge")
@@ -151,7 +159,7 @@ class Ladder:
     def steps(self) -> list[float]:
         """Differences of successive rungs."""
         pairs = itertools.pairwise(self.rungs)
-        return [self.judge.difference(coarse, fine) for coarse, fine in pairs]
+        return [self.difference(coarse, fine) for coarse, fine in pairs]
 
     def orders(self) -> list[float]:
         """Orders at which successive differences fall with the cell."""
