@@ -65,8 +65,8 @@ def command(
     if json:
         print_json(as_json(found))
     elif found.grade is None:
-        say(f"lapilli: {text_of(found, str(scene))}")
+        say(f"lapilli: {text_of(found, str(scene), changes or ())}")
     if found.grade is None:
         return RUN_FAILED
-    say(text_of(found, str(scene)), quiet and json, beside(json))
+    say(text_of(found, str(scene), changes or ()), quiet and json, beside(json))
     return FINISHED

@@ -87,6 +87,7 @@ def scatter_with_mean(panel: Axes, values: Sequence[Any], numbers: Sequence[floa
         values = [words.index(str(one)) for one in values]
         panel.set_xticks(range(len(words)), words, fontsize=7)
     x, y = np.asarray(values, float), np.asarray(numbers, float)
+    panel.set_xscale(scale_of(x))
     panel.plot(x, y, ".", ms=4, alpha=0.5, color="C0")
     levels = np.unique(x)
     if len(levels) > 12:
@@ -96,6 +97,13 @@ def scatter_with_mean(panel: Axes, values: Sequence[Any], numbers: Sequence[floa
         group = np.searchsorted(levels, x)
     means = [(x[group == k].mean(), np.nanmean(y[group == k])) for k in np.unique(group)]
     panel.plot(*zip(*means, strict=True), "o-", ms=4, color="C1")
+
+
+def scale_of(values: Any) -> str:
+    """Logarithmic where values above 0 differ by a factor of 50 or more."""
+    numbers = np.asarray(values, float)
+    wide = numbers.size and numbers.min() > 0 and numbers.max() >= 50 * numbers.min()
+    return "log" if wide else "linear"
 
 
 def pairs(results: Results) -> Figure:
@@ -116,6 +124,7 @@ def pairs(results: Results) -> Figure:
                 continue
             x, y = (numbered(column(results, name)) for name in (left, below))
             shown = axes[i, j].scatter(x, y, c=colour, s=9)
+            axes[i, j].set(xscale=scale_of(x), yscale=scale_of(y))
             axes[i, j].set_xlabel(left, fontsize=7)
             axes[i, j].set_ylabel(below, fontsize=7)
             axes[i, j].tick_params(labelsize=6)
@@ -139,6 +148,7 @@ def response(results: Results) -> Figure:
         drawn = axes.scatter(x[known], y[known], c=z[known])
     figure.colorbar(drawn, ax=axes, label=labelled(results, results.quantities[0]))
     axes.set(xlabel=varied(results)[0], ylabel=varied(results)[1])
+    axes.set(xscale=scale_of(x), yscale=scale_of(y))
     return figure
 
 

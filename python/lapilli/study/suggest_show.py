@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 import os
 import re
+import shlex
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from lapilli._core import readable_time
@@ -29,32 +31,32 @@ def seconds_of(text: str) -> float:
         raise ValueError(f"a time is a number with s, min or h, got {text!r}") from None
 
 
-def text_of(found: Suggestion, scene_file: str) -> str:
-    """The suggestion in a few lines."""
+def text_of(found: Suggestion, scene_file: str, changes: Sequence[str] = ()) -> str:
+    """The suggestion in a few lines: the command that runs it with the changes that were asked
+    for, the error, the cost."""
     if found.grade is None:
         return found.reason
     grade = found.grade
-    words = " ".join(f"--set {path}={quoted(value)}" for path, value in grade.rung.setting.changes)
+    own = [f"{path}={value}" for path, value in grade.rung.setting.changes]
+    words = " ".join(f"--set {shlex.quote(change)}" for change in (*changes, *own))
     high = f"{grade.high:.2g}" if math.isfinite(grade.high) else "unknown"
     cost = "measured" if found.was_run else "predicted, without output"
     return "\n".join(
         [
             f"lapilli run {scene_file} {words}",
-            f"{found.judge.norm} error of {found.judge.name}: {grade.error:.2g} "
+            f"{found.judge.norm} error of {found.judge.name}{unit_of(found)}: {grade.error:.2g} "
             f"({grade.low:.2g} to {high}, {grade.how}); target {found.target:g}",
-            f"{readable_time(found.cpu_seconds)} of processor time, "
-            f"{readable_time(found.wall_seconds)} of wall time, "
+            f"{duration(found.cpu_seconds)} of processor time, "
+            f"{duration(found.wall_seconds)} of wall time, "
             f"{found.memory / 1e6:.0f} MB ({cost})",
-            f"found in {readable_time(found.spent)} of processor time",
+            f"found in {duration(found.spent)} of processor time",
         ]
     )
 
 
-def quoted(value: str) -> str:
-    """A value as a shell takes it."""
-    import shlex
-
-    return shlex.quote(value)
+def duration(seconds: float) -> str:
+    """A time, with two digits below a second."""
+    return readable_time(seconds) if seconds >= 1 else f"{seconds:.2g} s"
 
 
 def as_json(found: Suggestion) -> dict[str, Any]:
@@ -83,6 +85,13 @@ def as_json(found: Suggestion) -> dict[str, Any]:
             for one in (*found.ladder.graded(), *found.tried)
         ],
     }
+
+
+def unit_of(found: Suggestion) -> str:
+    """The unit of the error in brackets; none of a relative one."""
+    seen = found.ladder.rungs[-1].seen
+    unit = "" if seen is None or found.judge.norm == "relative" else seen.units[found.judge.name]
+    return f" ({unit})" if unit else ""
 
 
 def star_of(found: Suggestion) -> float:
@@ -116,7 +125,7 @@ def draw(found: Suggestion, path: str | os.PathLike[str] | None = None) -> Figur
     axes.axhline(found.target, color="C2", ls="--", lw=1, label="target")
     axes.set(
         xscale="log", yscale="log", xlabel="CPU time (s) of building and stepping",
-        ylabel=f"{found.judge.norm} error of {found.judge.name}",
+        ylabel=f"{found.judge.norm} error of {found.judge.name}{unit_of(found)}",
     )  # fmt: skip
     axes.grid(which="both", alpha=0.2)
     axes.legend(fontsize=8)

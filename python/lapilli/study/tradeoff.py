@@ -17,7 +17,7 @@ from lapilli.study.runner import LocalPool, Runner
 from lapilli.study.settings import Setting, require_paths, settings_of
 from lapilli.study.store import Store, key_of
 from lapilli.study.table import Table
-from lapilli.study.truth import Given, truth_of
+from lapilli.study.truth import Given, named, truth_of
 
 __all__ = ["fitting_cell", "tradeoff"]
 
@@ -101,13 +101,6 @@ def tradeoff(
                 report(measurement, len(done), len(wanted))
     table = Table.of(settings, done, names[0], units.get(names[0], ""), notes)
     return table.judged(target_error, norm)
-
-
-def named(reference: object) -> str:
-    """A reference as text."""
-    if isinstance(reference, Mapping):
-        return str({name: named(one) for name, one in reference.items()})
-    return str(reference) if isinstance(reference, str | os.PathLike) else repr(reference)
 
 
 def kinds_of(

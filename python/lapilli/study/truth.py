@@ -24,6 +24,7 @@ from lapilli.study.reference import (
 from lapilli.study.same_scene import require_same_problem
 from lapilli.study.series import Series, series_of_run
 from lapilli.study.settings import Setting
+from lapilli.study.shipped import SHIPPED
 
 Array = npt.NDArray[Any]
 Given = str | os.PathLike[str] | Function | Reference | float | None
@@ -58,17 +59,15 @@ def truth_of(
 ) -> Truth:
     """References of the quantities (name, whether it is a field) from what a user may give.
 
-    One reference serves all that it can: a run, or the frames of one, every quantity; a shipped
-    reference or a function of (positions, time) the fields. For what is left, and where none is
-    given, the scene is run finer than all settings.
+    For what no reference serves, and where none is given, the scene is run finer than all settings.
     """
-    by_name = given if isinstance(given, Mapping) else {name: given for name, _ in quantities}
+    by_name = given if isinstance(given, Mapping) else shared(given, quantities)
     truth = Truth()
     runs: dict[Setting, list[tuple[str, bool]]] = {}
     finer = finer_setting(scene, settings)
     for name, is_field in quantities:
         one = by_name.get(name)
-        if one is None or not (is_field or serves_scalars(one, isinstance(given, Mapping))):
+        if one is None:
             runs.setdefault(finer, []).append((name, is_field))
             truth.notes.append(f"the error of {name} is that against a finer run: {finer}")
         elif text_of(one).startswith("finer:"):
@@ -81,20 +80,41 @@ def truth_of(
     return truth
 
 
+def shared(given: Given, quantities: Sequence[tuple[str, bool]]) -> dict[str, Given]:
+    """The quantities that one reference serves: a run all; a shipped reference its own field; a
+    function the first field, a number or a table the first scalar."""
+    text = text_of(given)
+    if given is None:
+        return {}
+    if text.startswith("finer:") or text.endswith(".vtkhdf"):
+        return {name: given for name, _ in quantities}
+    if text in SHIPPED:
+        known = "velocity" if text.endswith("velocity") else "temperature"
+        if not any(name == known for name, _ in quantities):
+            raise ValueError(f"reference {text} knows the {known}, not {quantities[0][0]}")
+        return {known: given}
+    first = next((name for name, is_field in quantities if is_field != is_scalar(given)), None)
+    if first is None:
+        kind = "a scalar of the history" if is_scalar(given) else "a field"
+        raise ValueError(f"reference {named(given)} is one of {kind}, and none is asked for")
+    return {first: given}
+
+
+def is_scalar(given: Given) -> bool:
+    """Whether a reference is a number."""
+    return isinstance(given, float | int)
+
+
+def named(reference: object) -> str:
+    """A reference as text."""
+    if isinstance(reference, Mapping):
+        return str({name: named(one) for name, one in reference.items()})
+    return str(reference) if isinstance(reference, str | os.PathLike) else repr(reference)
+
+
 def text_of(given: Given) -> str:
     """A reference that was given as text; empty where it was not."""
     return os.fspath(given) if isinstance(given, str | os.PathLike) else ""
-
-
-def serves_scalars(given: Given, is_own: bool) -> bool:
-    """Whether a reference knows scalars of the history: runs do, functions given for one do."""
-    text = text_of(given)
-    return (
-        isinstance(given, float | int)
-        or text.startswith("finer:")
-        or text.endswith(".vtkhdf")
-        or (is_own and callable(given))
-    )
 
 
 def add(

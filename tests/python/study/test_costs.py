@@ -222,3 +222,21 @@ def test_tables_hold_every_cost_and_error(ring: lp.Scene, tmp_path: Path) -> Non
     assert sum(parts) == pytest.approx(row["cpu_seconds"], rel=0.3)  # medians of two
     table.to_csv(tmp_path / "x.csv")
     assert "relative error of temperature" in (tmp_path / "x.csv").read_text()
+
+
+def test_one_reference_serves_what_it_knows(ring: lp.Scene) -> None:
+    """A shipped reference its field, a function the first field, a number a scalar; a finer run
+    serves the rest, and says so."""
+    both = {"quantities": ["temperature", "temperature/largest"], "repeats": 1}
+    table = tradeoff(ring, {"grid.cell": [0.5]}, "radial", **both, runner=InProcess())
+    assert ["temperature/largest" in note for note in table.notes] == [True]
+    shipped = table.rows[0].errors["temperature"]["rms"]
+    alone = tradeoff(ring, {"grid.cell": [0.5]}, "radial", repeats=1, runner=InProcess())
+    assert shipped == alone.rows[0].error
+    with pytest.raises(ValueError, match="radial knows the temperature"):
+        tradeoff(ring, {"grid.cell": [0.5]}, "radial", field="volume", runner=InProcess())
+    with pytest.raises(ValueError, match="scalar of the history, and none is asked for"):
+        tradeoff(ring, {"grid.cell": [0.5]}, 1.0, runner=InProcess())
+    number = tradeoff(ring, {"grid.cell": [0.5]}, 1.0, **both, runner=InProcess())
+    largest = number.rows[0].errors["temperature/largest"]["max"]
+    assert 0 < largest < 1  # 1 K is the surroundings' temperature

@@ -123,6 +123,9 @@ def test_the_command_prints_a_run_and_draws_it(
     assert Path("ring-suggest.png").read_bytes().startswith(b"\x89PNG")
     command = shown.splitlines()[0].split()[1:]
     assert main([*command, "-q"]) == 0  # it runs as it is
+    # and keeps the changes that were asked for
+    assert main(["suggest", "ring.toml", "--set", "time.end=0.5", "--target-error", "2e-2"]) == 0
+    assert "--set time.end=0.5 --set grid.cell=" in capsys.readouterr().out
     assert main(["suggest", "ring.toml", "--target-error", "2e-2", "--json", "-q"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["error"] <= 2e-2
