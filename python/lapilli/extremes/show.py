@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import argparse
 import json
-import sys
+from collections.abc import Sequence
 from pathlib import Path
 
+from lapilli.console import beside, finite, print_json, say
 from lapilli.extremes.cases import TRANSFERS, all_cases
 from lapilli.extremes.picture import draw, print_map
 from lapilli.extremes.steps import FACTORS, Outcome, Row, measure
@@ -20,40 +20,50 @@ from lapilli.extremes.supports import (
 from lapilli.whole_file import write_text
 
 
-def show_extremes(given: argparse.Namespace) -> bool:
+def show_extremes(
+    wanted: Sequence[str],
+    quick: bool,
+    json_file: str | None,
+    plot_folder: str | None,
+    quiet: bool = False,
+) -> bool:
     """Try every case; print, write and draw the map. Whether all automatic steps are stable, and
     all walls accurate."""
-    transfers = tuple(given.transfer or TRANSFERS)
+    transfers = tuple(wanted or TRANSFERS)
     cases = list(all_cases(transfers))
-    factors = tuple(f for f in FACTORS if not given.quick or f in (0.5, 1.0, 1.41, 2.0))
+    factors = tuple(f for f in FACTORS if not quick or f in (0.5, 1.0, 1.41, 2.0))
     rows: list[Row] = []
     for number, case in enumerate(cases, 1):
-        print(f"[{number}/{len(cases)}] {case.transfer}: {case.name}", file=sys.stderr, flush=True)
+        say(f"[{number}/{len(cases)}] {case.transfer}: {case.name}", quiet)
         rows.extend(measure(case, factors))
-    print_map(rows)
-    walls: list[SupportRow] = []
-    if not given.transfer:
-        walls = [measure_support(case) for case in support_cases()]
-        print_supports(walls)
-    if given.json:
-        found = [as_json(row) for row in rows] + [wall_as_json(row) for row in walls]
-        Path(given.json).parent.mkdir(parents=True, exist_ok=True)
-        write_text(given.json, json.dumps(found, indent=1) + "\n")
-    if given.plot:
-        folder = Path(given.plot)
+    walls = [] if wanted else [measure_support(case) for case in support_cases()]
+    found = [as_json(row) for row in rows] + [wall_as_json(row) for row in walls]
+    words = beside(json_file == "-")
+    if json_file == "-":
+        print_json(found)
+    else:
+        print_map(rows)
+        if walls:
+            print_supports(walls)
+    if json_file is not None and json_file != "-":
+        Path(json_file).parent.mkdir(parents=True, exist_ok=True)
+        write_text(json_file, json.dumps(finite(found), indent=1) + "\n")
+    if plot_folder is not None:
+        folder = Path(plot_folder)
         folder.mkdir(parents=True, exist_ok=True)
         draw(rows, folder / "extremes.png")
-        print(f"wrote {folder / 'extremes.png'}")
+        say(f"wrote {folder / 'extremes.png'}", quiet, words)
     bad = [row for row in rows if row.factor <= 1.0 and row.outcome is Outcome.UNSTABLE]
     for row in bad:
-        print(
+        say(
             f"unstable at {row.factor:g} of the automatic step: {row.case.transfer}, "
-            f"{row.case.name}: {row.reason or f'strays {row.stray:.3g}'}"
+            f"{row.case.name}: {row.reason or f'strays {row.stray:.3g}'}",
+            file=words,
         )
     astray = [row for row in walls if is_astray(row)]
     for wall in astray:
         error = wall.reason or f"error {wall.error:.3g}, bar {wall.bar:.3g}"
-        print(f"{wall.outcome}: {wall.case.form}, {wall.case.name}: {error}")
+        say(f"{wall.outcome}: {wall.case.form}, {wall.case.name}: {error}", file=words)
     return not bad and not astray
 
 

@@ -13,6 +13,7 @@ from rich.console import Console
 from rich.table import Table
 
 from lapilli._core import readable_time
+from lapilli.console import beside, print_json, say
 from lapilli.reproduce import cases
 from lapilli.reproduce.case import Row
 from lapilli.whole_file import write_text
@@ -24,26 +25,33 @@ def show_cases(
     quick: bool = False,
     json_file: str | None = None,
     plot_folder: str | None = None,
+    quiet: bool = False,
 ) -> bool:
-    """Run cases and print them; whether every bar is kept."""
+    """Run cases and print them; whether every bar is kept. `json_file` "-": JSON, no tables."""
     names = cases.names(wanted)
+    if list_only and json_file == "-":
+        print_json([{"name": name, "title": cases.load(name).title} for name in names])
+        return True
     rows: list[Row] = []
     for name in names:
         case = cases.load(name)
         if list_only:
             print(f"{name:20s} {case.title}")
             continue
-        print(f"{name}: {case.title}", file=sys.stderr, flush=True)
+        say(f"{name}: {case.title}", quiet)
         started = time.perf_counter()
         found = case.run(quick)
-        print_rows(name, found, time.perf_counter() - started)
+        if json_file != "-":
+            print_rows(name, found, time.perf_counter() - started)
         rows += found
         if plot_folder is not None and case.plot is not None:
             Path(plot_folder).mkdir(parents=True, exist_ok=True)
             for picture in case.plot(Path(plot_folder), quick):
-                print(f"wrote {picture}")
-        if json_file is not None:
+                say(f"wrote {picture}", quiet, beside(json_file == "-"))
+        if json_file is not None and json_file != "-":
             write_text(json_file, json.dumps([asdict(row) for row in rows], indent=1) + "\n")
+    if json_file == "-":
+        print_json([asdict(row) for row in rows])
     return all(row.ok for row in rows)
 
 

@@ -2,37 +2,23 @@
 
 from __future__ import annotations
 
-import math
-import time as clock
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from lapilli import _core
-from lapilli._core import RunError, Scene, Simulation
-from lapilli.study.reference import Reference
+from lapilli._core import RunError, Scene
+from lapilli.study.cost import Cost
+from lapilli.study.norms import field_errors, scalar_errors
+from lapilli.study.observe import Observation, observe
+from lapilli.study.quantity import unknown_quantity
 from lapilli.study.settings import Setting
+from lapilli.study.truth import Truth
 
 Array = npt.NDArray[Any]
 
-
-@dataclass(frozen=True)
-class Cost:
-    """What a run took."""
-
-    cpu_seconds: float  # stepping, all threads together
-    build_seconds: float  # processor time before the first step
-    wall_seconds: float  # stepping
-    steps: int
-    points: int
-    peak_memory: int  # bytes, of the process
-
-    @property
-    def total_cpu_seconds(self) -> float:
-        """Building and stepping."""
-        return self.build_seconds + self.cpu_seconds
+Errors = dict[str, dict[str, float]]  # of each quantity in each norm
 
 
 @dataclass(frozen=True)
@@ -41,10 +27,16 @@ class Measurement:
 
     setting: Setting
     repeat: int
-    error: float | None  # largest RMS error over the times, weighted by volume
+    error: float | None  # of the first quantity, in the norm that was asked for
     largest: float | None  # largest error of any point at any time
     reason: str
     cost: Cost | None
+    errors: Errors = field(default_factory=dict)
+
+    @property
+    def status(self) -> str:
+        """measured, refused (before its first step), failed or unstable."""
+        return self.reason.partition(":")[0] if self.reason else "measured"
 
     def as_json(self) -> dict[str, Any]:
         """Plain values."""
@@ -65,10 +57,12 @@ class Task:
     scene: Scene
     setting: Setting
     repeat: int
-    reference: Reference
-    field: str
+    truth: Truth
+    quantities: tuple[tuple[str, bool], ...]  # name, whether it is a field
     times: tuple[float, ...]
-    threads: int
+    threads: int = 1
+    norm: str = "rms"
+    output_cost: bool = True
 
     def __call__(self) -> Measurement:
         """Run and measure. Settings that are refused or fail are results, not errors."""
@@ -76,7 +70,7 @@ class Task:
             return self._measure()
         except ValueError as error:
             return self.without_error(f"refused: {error}")
-        except RunError as error:
+        except (RunError, MemoryError, OSError) as error:
             return self.without_error(f"failed: {error}")
 
     def without_error(self, reason: str, cost: Cost | None = None) -> Measurement:
@@ -84,38 +78,53 @@ class Task:
         return Measurement(self.setting, self.repeat, None, None, reason, cost)
 
     def _measure(self) -> Measurement:
-        _core.set_thread_count(self.threads)
-        started = _core.cpu_seconds()
-        simulation = Simulation(self.setting.apply(self.scene))
-        build_seconds = _core.cpu_seconds() - started
-        worst, largest, cpu, wall, reason = 0.0, 0.0, 0.0, 0.0, ""
-        for time in self.times:
-            cpu_start, wall_start = _core.cpu_seconds(), clock.perf_counter()
-            simulation.run_until(time)
-            cpu += _core.cpu_seconds() - cpu_start
-            wall += clock.perf_counter() - wall_start
-            # Points of walls are no part of what is computed.
-            own = simulation["body"] < len(self.scene.bodies)
-            values = simulation[self.field][own]
-            truth = self.reference(simulation.position[own], time)
-            reason = reason_of_blow_up(values, truth, time)
-            if reason:
-                break
-            rms, most = errors(values, truth, simulation["volume"][own])
-            worst, largest = max(worst, rms), max(largest, most)
-        cost = Cost(
-            cpu, build_seconds, wall, simulation.step_index, len(simulation), _core.peak_memory()
+        scene = self.setting.apply(self.scene)
+        fields = [name for name, is_field in self.quantities if is_field]
+        seen = observe(
+            scene, self.times, fields, threads=self.threads, output_cost=self.output_cost
         )
-        if reason:
-            return self.without_error(reason, cost)
-        return Measurement(self.setting, self.repeat, worst, largest, "", cost)
+        errors: Errors = {}
+        for name, is_field in self.quantities:
+            if is_field:
+                found, reason = self._field_errors(seen, name)
+            else:
+                found, reason = self._scalar_errors(seen, name)
+            if reason:
+                return self.without_error(reason, seen.cost)
+            errors[name] = found
+        first = errors[self.quantities[0][0]]
+        return Measurement(
+            self.setting, self.repeat, first[self.norm], first["max"], "", seen.cost, errors
+        )
+
+    def _field_errors(self, seen: Observation, name: str) -> tuple[dict[str, float], str]:
+        values, truths = [], []
+        for one in seen.snapshots:
+            values.append(one.fields[name])
+            truths.append(truth_at(self.truth, name, one.position, one.time, values[-1]))
+            reason = reason_of_blow_up(values[-1], truths[-1], one.time)
+            if reason:
+                return {}, reason
+        return field_errors(values, truths, [one.volume for one in seen.snapshots]), ""
+
+    def _scalar_errors(self, seen: Observation, name: str) -> tuple[dict[str, float], str]:
+        if name not in seen.history:
+            raise ValueError(unknown_quantity(name, seen.history))
+        values = np.array([seen.scalar(name, time) for time in self.times])
+        truths = np.array([float(self.truth.scalars[name](time)) for time in self.times])
+        if not np.all(np.isfinite(values)):
+            return {}, f"unstable: {name} is no longer finite"
+        return scalar_errors(values.tolist(), truths.tolist()), ""
 
 
-def errors(values: Array, truth: Array, volume: Array) -> tuple[float, float]:
-    """RMS (weighted by volume) and largest difference."""
-    square = (np.asarray(values, float) - truth) ** 2
-    square = square if square.ndim == 1 else square.sum(axis=1)
-    return math.sqrt(np.average(square, weights=volume)), math.sqrt(square.max())
+def truth_at(truth: Truth, name: str, position: Array, time: float, values: Array) -> Array:
+    """The reference of a field at the points; of another shape than the field is an error."""
+    found = np.asarray(truth.fields[name](position, time), float)
+    if found.shape != values.shape:
+        raise ValueError(
+            f"the reference of {name} returned an array {found.shape}, the field is {values.shape}"
+        )
+    return found
 
 
 def reason_of_blow_up(values: Array, truth: Array, time: float) -> str:

@@ -66,9 +66,13 @@ def draw(table: Table, path: str | os.PathLike[str] | None = None) -> Figure:
             axes.annotate(label, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=7)
     if series:
         axes.set(xscale="log", yscale="log")
-    unit = f" ({table.unit})" if table.unit else ""
+    unit = f" ({table.unit})" if table.unit and table.norm != "relative" else ""
+    norm = "RMS" if table.norm == "rms" else table.norm
     along = table.rows[0].setting.changes[0][0] if table.rows else ""
-    axes.set(xlabel="CPU time (s)", ylabel=f"RMS error of {table.field}{unit}")
+    axes.set(
+        xlabel="CPU time (s): building, stepping, output",
+        ylabel=f"{norm} error of {table.field}{unit}",
+    )
     axes.set_title(f"numbers at the marks: {along}", fontsize=9)
     axes.grid(which="both", alpha=0.2)
     if axes.get_legend_handles_labels()[0]:

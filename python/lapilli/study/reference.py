@@ -19,6 +19,8 @@ from lapilli.study.settings import Setting, parse_variation
 Array = npt.NDArray[Any]
 Function = Callable[[Array, float], npt.ArrayLike]
 
+MOST_FAR = 0.1  # of the points, that may lie outside of the points of a reference
+
 
 class Reference(Protocol):
     """The true values of a field: positions (n, dimension) and a time to values (n,) or (n, k)."""
@@ -61,6 +63,11 @@ def interpolate(known: Array, values: Array, wanted: Array) -> Array:
     count = min(3**dimension, len(known))
     distances, neighbours = cKDTree(known).query(wanted, k=count)
     distances, neighbours = distances.reshape(-1, count), neighbours.reshape(-1, count)
+    far = distances[:, 0] > 3 * np.median(distances[:, -1])
+    if far.mean() > MOST_FAR:
+        raise ValueError(
+            f"{far.mean():.0%} of the points lie outside of the reference: it is of another scene"
+        )
     reach = distances[:, -1:] * (1 + 1e-6) + 1e-300
     weights = (1 - (distances / reach) ** 2) ** 2 + 1e-3
     offsets = (known[neighbours] - wanted[:, None, :]) / reach[:, :, None]
@@ -93,6 +100,12 @@ def from_finer_run(scene: Scene, finer: Setting, field: str, times: Sequence[flo
     return PointsReference(np.asarray(times, float), positions, values)
 
 
+def parse_finer(text: str) -> Setting:
+    """The setting of "finer:grid.cell=0.05; time.steps=40"."""
+    changes = [parse_variation(change) for change in text.removeprefix("finer:").split(";")]
+    return Setting(tuple((path, ",".join(values)) for path, values in changes))
+
+
 def named_function(text: str) -> FunctionReference:
     """The function of "module:function"."""
     module, _, name = text.partition(":")
@@ -123,13 +136,7 @@ def reference_of(
         truth: Reference = shipped(text, scene)
         return truth
     if text.startswith("finer:"):
-        changes = [parse_variation(change) for change in text[6:].split(";")]
-        return from_finer_run(
-            scene,
-            Setting(tuple((path, ",".join(values)) for path, values in changes)),
-            field,
-            times,
-        )
+        return from_finer_run(scene, parse_finer(text), field, times)
     if Path(text).suffix == ".vtkhdf":
         return from_frames(text, field)
     if ":" in text:

@@ -1,100 +1,160 @@
-"""Where the runs of a study happen."""
+"""Where the runs of a study happen: here, in processes of this machine, on a Dask scheduler."""
 
 from __future__ import annotations
 
-import contextlib
-import os
 import pickle
-import subprocess
-import sys
+import re
+import weakref
+from collections import deque
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
-from typing import Protocol
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from concurrent.futures.process import BrokenProcessPool
+from typing import Any, Protocol, TypeVar
 
-from lapilli.study.measure import Measurement, Task
+Found_co = TypeVar("Found_co", covariant=True)
+Found = TypeVar("Found")
+
+
+class Work(Protocol[Found_co]):
+    """Something to do in any process."""
+
+    def __call__(self) -> Found_co: ...
+
+    def without_error(self, reason: str) -> Found_co:
+        """What to say of it where it could not be done."""
 
 
 class Runner(Protocol):
-    """Does tasks anywhere and yields each measurement as it comes."""
+    """Does tasks anywhere and yields what comes of each as it comes."""
 
-    def run(self, tasks: Sequence[Task]) -> Iterator[Measurement]:
+    def run(self, tasks: Sequence[Work[Found]]) -> Iterator[Found]:
         """Every task once, started in order, finished in any."""
 
 
-class LocalPool:
-    """Processes on this machine, a fresh one for each task, so that peak memory is its own."""
-
-    def __init__(self, workers: int = 1) -> None:
-        if not 1 <= workers <= 1024:
-            raise ValueError(f"workers must be from 1 to 1024, got {workers}")
-        self.workers = workers
-
-    def run(self, tasks: Sequence[Task]) -> Iterator[Measurement]:
-        """Every task once; a process that dies is a failed setting."""
-        if tasks:
-            require_picklable(tasks[0])
-        with ThreadPoolExecutor(self.workers) as threads:
-            waiting = [threads.submit(in_fresh_process, task) for task in tasks]
-            try:
-                for done in as_completed(waiting):
-                    yield done.result()
-            finally:
-                for future in waiting:
-                    future.cancel()
-
-
-def in_fresh_process(task: Task) -> Measurement:
-    """Do a task in a process of its own and wait for what comes of it.
-
-    The process starts from `lapilli.study.worker`, never from the script that asks for the study:
-    that one need not guard its main part.
-    """
-    receive, send = os.pipe()
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
-    process = subprocess.Popen(
-        [sys.executable, "-m", "lapilli.study.worker", str(send)],
-        stdin=subprocess.PIPE,
-        pass_fds=[send],
-        env=environment,
-    )
-    os.close(send)
-    with os.fdopen(receive, "rb") as answers:
-        with contextlib.suppress(BrokenPipeError):
-            process.communicate(pickle.dumps(task))
-        answer = answers.read()
-    process.wait()
-    if not answer:
-        return task.without_error(
-            f"failed: its process died (exit code {process.returncode}), perhaps for lack of memory"
-        )
-    outcome = pickle.loads(answer)
-    if isinstance(outcome, BaseException):
-        raise outcome
-    assert isinstance(outcome, Measurement)
-    return outcome
+Deaths = list[tuple[Work[Found], BaseException]]
 
 
 class InProcess:
-    """One run after the other in this process; peak memory is that of all together."""
+    """One run after the other in this process."""
 
-    def run(self, tasks: Sequence[Task]) -> Iterator[Measurement]:
+    def run(self, tasks: Sequence[Work[Found]]) -> Iterator[Found]:
         """Every task once, in order."""
         for task in tasks:
             yield task()
 
 
-def require_picklable(task: Task) -> None:
-    """Worker processes get their task as bytes, and know nothing of the script that was run."""
-    try:
-        form = pickle.dumps(task)
-    except Exception as error:
+class LocalPool:
+    """Processes on this machine that take one task after another (loky).
+
+    They start from nothing but what a task brings with it: a script needs no guard of its main
+    part, and functions may be those of a script or a notebook. They stay for the next tasks until
+    the pool is forgotten.
+    """
+
+    def __init__(self, workers: int = 1) -> None:
+        if not 1 <= workers <= 1024:
+            raise ValueError(f"workers must be from 1 to 1024, got {workers}")
+        self.workers = workers
+        self._processes = Processes(workers)
+
+    def run(self, tasks: Sequence[Work[Found]]) -> Iterator[Found]:
+        """Every task once; one that takes its process with it comes back without an error."""
+        waiting = deque(tasks)
+        while waiting:
+            suspects: Deaths[Found] = []
+            yield from self._processes.until_broken(waiting, suspects, 2 * self.workers)
+            # Of those that ran when a process died, each alone shows which it was.
+            alone = deque(task for task, _ in suspects)
+            while alone:
+                culprits: Deaths[Found] = []
+                yield from Processes(1).until_broken(alone, culprits, 1)
+                for task, error in culprits:
+                    yield task.without_error(
+                        f"failed: its process died ({exit_code(error)}), perhaps for lack of memory"
+                    )
+
+
+class Processes:
+    """Some processes, started when first needed, and again after one has died."""
+
+    def __init__(self, count: int) -> None:
+        self.count = count
+        self._executor: Any = None
+
+    def until_broken(
+        self, waiting: deque[Work[Found]], suspects: Deaths[Found], depth: int
+    ) -> Iterator[Found]:
+        """Do tasks, `depth` of them handed out at a time, until none is left or a process dies:
+        then those that were handed out are suspects."""
+        running: dict[Future[Found], Work[Found]] = {}
+        unbroken = False
+        try:
+            while running or (waiting and not suspects):
+                while waiting and len(running) < depth and not suspects:
+                    task = waiting.popleft()
+                    try:
+                        running[self._started().submit(do, task)] = task
+                    except BrokenProcessPool as broken:
+                        suspects.append((task, broken))
+                wait(running, return_when=FIRST_COMPLETED)
+                for future in [one for one in running if one.done()]:
+                    task = running.pop(future)
+                    error = future.exception()
+                    if isinstance(error, BrokenProcessPool):
+                        suspects.append((task, error))
+                    else:
+                        yield result_of(future)
+            unbroken = not suspects
+        finally:
+            if not unbroken:
+                self.stop()
+
+    def stop(self) -> None:
+        """End the processes, whatever they do."""
+        if self._executor is not None:
+            self._executor.shutdown(wait=True, kill_workers=True)
+            self._executor = None
+
+    def _started(self) -> Any:
+        if self._executor is None:
+            try:
+                from loky import ProcessPoolExecutor
+            except ImportError as missing:
+                raise ValueError(
+                    "worker processes need loky: pip install 'lapilli[study]'"
+                ) from missing
+            self._executor = ProcessPoolExecutor(max_workers=self.count)
+            weakref.finalize(self, self._executor.shutdown, wait=False, kill_workers=True)
+        return self._executor
+
+
+def runner_of(workers: int, scheduler: str | None = None) -> Runner:
+    """Processes on this machine, or the workers of a Dask scheduler."""
+    if scheduler is None:
+        return LocalPool(workers)
+    from lapilli.study.cluster import DaskCluster
+
+    return DaskCluster(scheduler)
+
+
+def exit_code(error: BaseException) -> str:
+    """How a process ended, from what loky says of it."""
+    found = re.search(r"(EXIT|SIG[A-Z]+)\((-?\d+)\)", str(error))
+    if found is None:
+        return "exit code unknown"
+    return f"exit code {found[2]}" if found[1] == "EXIT" else found[1]
+
+
+def do(task: Work[Found]) -> Found:
+    """What a worker does."""
+    return task()
+
+
+def result_of(future: Future[Found]) -> Found:
+    """What came of a task, or the error that it ended with."""
+    error = future.exception()
+    if isinstance(error, pickle.PicklingError):
         raise ValueError(
-            "the scene or the reference cannot be sent to worker processes (functions must be "
-            f"defined at the top of a module): {error}"
+            f"the scene or the reference cannot be sent to worker processes: {error.__cause__}"
         ) from error
-    if b"__main__" in form:
-        raise ValueError(
-            "the scene or the reference holds a function of the script that is being run, which "
-            "worker processes do not know: define it in a module of its own, or give "
-            "runner=lapilli.study.InProcess()"
-        )
+    return future.result()

@@ -26,6 +26,25 @@ class Setting:
             scene = scene.set(f"{path}={value}")
         return scene
 
+    def applied(self, scene: Scene) -> Scene | None:
+        """The same; None where a path or a value is wrong."""
+        try:
+            return self.apply(scene)
+        except ValueError:
+            return None
+
+
+def require_paths(settings: Sequence[Setting], scene: Scene) -> None:
+    """A path that works with none of its values is a mistake; a value that does not is a result."""
+    tried: dict[str, list[str]] = {}
+    for setting in settings:
+        for path, value in setting.changes:
+            tried.setdefault(path, []).append(value)
+    for path, values in tried.items():
+        alone = [Setting(((path, value),)) for value in dict.fromkeys(values)]
+        if all(one.applied(scene) is None for one in alone):
+            alone[0].apply(scene)
+
 
 def parse_variation(text: str) -> tuple[str, list[str]]:
     """The path and values of "grid.cell=0.4,0.2"; commas inside brackets do not part values."""

@@ -2,52 +2,83 @@
 
 from __future__ import annotations
 
-import argparse
 import sys
-from pathlib import Path
+from collections.abc import Sequence
 
 from lapilli._core import Scene
+from lapilli.console import beside, print_json, say
 from lapilli.study.measure import Measurement
-from lapilli.study.runner import LocalPool
+from lapilli.study.runner import Runner
 from lapilli.study.settings import parse_variation
 from lapilli.study.table import Table
 from lapilli.study.tradeoff import tradeoff
 
 
-def show_study(scene: Scene, given: argparse.Namespace) -> bool:
+def show_study(
+    scene: Scene,
+    vary: Sequence[str],
+    reference: str | None,
+    *,
+    name: str,
+    times: str | None,
+    quantities: Sequence[str],
+    norm: str,
+    repeats: int,
+    runner: Runner,
+    threads: int,
+    target_error: float | None,
+    budget: float | None,
+    json: bool,
+    quiet: bool,
+) -> bool:
     """Run the study that was asked for; write its files beside each other; print it. Whether any
     setting worked."""
-    name = given.output or Path(given.scene).stem + "-tradeoff"
-    vary = dict(parse_variation(text) for text in given.vary)
-    if len(vary) < len(given.vary):
-        raise ValueError("--vary names one path twice: give all its values at once")
     table = tradeoff(
         scene,
-        vary,
-        given.reference,
-        times=None if given.times is None else times_of(given.times),
-        field=given.field,
-        repeats=given.repeats,
-        threads=given.threads,
-        runner=LocalPool(given.workers),
+        variations(vary),
+        reference,
+        times=None if times is None else times_of(times),
+        quantities=quantities,
+        norm=norm,
+        repeats=repeats,
+        threads=threads,
+        runner=runner,
         store=name + ".jsonl",
-        report=report,
+        report=None if quiet else report,
+        target_error=target_error,
     )
     for note in table.notes:
-        print(note, file=sys.stderr)
+        say(note)
     table.to_csv(name + ".csv")
     table.to_json(name + ".json")
-    print_table(table)
-    try:
-        table.picture(name + ".png")
-        print(f"wrote {name}.csv, .json, .png")
-    except ValueError as error:
-        print(f"wrote {name}.csv, .json; no picture: {error}")
+    picture = save_picture(table, name + ".png")
+    if json:
+        print_json([row.as_json() for row in table.rows])
+    else:
+        print_table(table)
+    say(f"wrote {name}.csv, .json{picture}", quiet, beside(json))
     if not table.worked:
-        print(f"lapilli: {table.advice()}", file=sys.stderr)
+        say(f"lapilli: {table.advice()}")
         return False
-    print(table.advice(given.target_error, given.budget))
+    say(table.advice(target_error, budget), quiet and json, beside(json))
     return True
+
+
+def variations(texts: Sequence[str]) -> dict[str, list[str]]:
+    """The values of each path, from several "path=a,b"."""
+    given = [parse_variation(text) for text in texts]
+    if len(dict(given)) < len(given):
+        raise ValueError("--vary names one path twice: give all its values at once")
+    return dict(given)
+
+
+def save_picture(table: Table, path: str) -> str:
+    """Draw it where matplotlib is installed; what to say of it."""
+    try:
+        table.picture(path)
+    except ValueError as error:
+        return f"; no picture: {error}"
+    return ", .png"
 
 
 def times_of(text: str) -> list[float]:
@@ -83,27 +114,30 @@ def print_table(table: Table) -> None:
     lines = Lines()
     for name in short_names([path for path, _ in table.rows[0].setting.changes]):
         lines.add_column(name, no_wrap=True)
-    for title in ("RMS error", "largest", "CPU s", "spread", "steps", "points", "MB", ""):
+    titles = (f"{table.norm.upper() if table.norm == 'rms' else table.norm} error", "largest")
+    for title in (*titles, "CPU s", "spread", "build", "steps", "output", "wall s"):
+        lines.add_column(title, justify="right", no_wrap=True)
+    for title in ("steps", "points", "MB", ""):
         lines.add_column(title, justify="right", no_wrap=True)
     reasons: dict[str, int] = {}
     for row in table.rows:
         values = [value for _, value in row.setting.changes]
         if row.error is None:
             note = reasons.setdefault(row.reason, len(reasons) + 1)
-            lines.add_row(*values, f"{row.reason.partition(':')[0]} ({note})")
+            lines.add_row(*values, f"{row.status} ({note})")
             continue
+        times = (row.cpu_seconds, row.cpu_spread, row.build_seconds, row.step_seconds)
         lines.add_row(
             *values,
             f"{row.error:.3g}",
             f"{row.largest:.3g}",
-            f"{row.cpu_seconds:.3g}",
-            f"{row.cpu_spread:.2g}",
+            *(f"{seconds or 0:.2g}" for seconds in (*times, row.output_seconds, row.wall_seconds)),
             str(row.steps),
             str(row.points),
             f"{(row.peak_memory or 0) / 1e6:.0f}",
-            "*" if row.on_front else "",
+            "*" if row.on_front else "inaccurate" if row.status == "inaccurate" else "",
         )
-    console = Console(width=None if sys.stdout.isatty() else 140)
+    console = Console(width=None if sys.stdout.isatty() else 160)
     console.print(lines)
     for reason, note in reasons.items():
         console.print(f"({note}) {reason}", highlight=False, markup=False)

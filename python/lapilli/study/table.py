@@ -7,10 +7,10 @@ import json
 import os
 import statistics
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
-from lapilli.study.measure import Measurement
+from lapilli.study.measure import Errors, Measurement
 from lapilli.study.settings import Setting
 from lapilli.whole_file import whole_file, write_text
 
@@ -25,7 +25,7 @@ class Row:
     setting: Setting
     error: float | None
     largest: float | None
-    cpu_seconds: float | None  # building and stepping, median over the repeats
+    cpu_seconds: float | None  # building, stepping and output, median over the repeats
     cpu_spread: float | None  # slowest minus fastest
     steps: int | None
     points: int | None
@@ -33,11 +33,25 @@ class Row:
     repeats: int
     on_front: bool
     reason: str
+    status: str = "measured"  # or inaccurate, unstable, failed, refused
+    build_seconds: float | None = None  # CPU, medians
+    step_seconds: float | None = None
+    output_seconds: float | None = None
+    wall_seconds: float | None = None  # all three
+    wall_spread: float | None = None
+    errors: Errors = field(default_factory=dict)  # of every quantity in every norm
 
     def as_json(self) -> dict[str, Any]:
-        """Plain values, one key for each varied setting."""
-        rest = {key: value for key, value in asdict(self).items() if key != "setting"}
-        return {**dict(self.setting.changes), **rest}
+        """Plain values, one key for each varied setting, and for each quantity and norm."""
+        rest = {
+            key: value for key, value in asdict(self).items() if key not in {"setting", "errors"}
+        }
+        flat = {
+            f"{norm} error of {name}": value
+            for name, norms in self.errors.items()
+            for norm, value in norms.items()
+        }
+        return {**dict(self.setting.changes), **rest, **flat}
 
 
 class Table:
@@ -49,7 +63,8 @@ class Table:
         self.rows = list(rows)
         self.field = field
         self.unit = unit
-        self.notes = list(notes)  # settings that were changed to fit
+        self.notes = list(notes)  # settings that were changed to fit, what errors are against
+        self.norm = "rms"
 
     def __repr__(self) -> str:
         return f"<{len(self.rows)} settings, {len(self.front)} on the front; {self.advice()}>"
@@ -90,6 +105,22 @@ class Table:
         """The settings that no other beats in both error and cost, cheapest first."""
         return sorted((row for row in self.rows if row.on_front), key=cost_of)
 
+    def judged(self, target_error: float | None, norm: str = "rms") -> Table:
+        """The table with settings called inaccurate: those beyond the target; without one, those
+        further from the reference than its own mean is."""
+
+        def is_inaccurate(row: Row) -> bool:
+            if target_error is None:
+                return row.errors.get(self.field, {}).get("relative", 0.0) > 1
+            return row.error is not None and row.error > target_error
+
+        rows = [
+            replace(row, status="inaccurate") if is_inaccurate(row) else row for row in self.rows
+        ]
+        table = Table(rows, self.field, self.unit, self.notes)
+        table.norm = norm
+        return table
+
     def advice(self, target_error: float | None = None, budget: float | None = None) -> str:
         """The cheapest setting within an error, or the most accurate within a cost (CPU s)."""
         if not self.worked:
@@ -111,8 +142,9 @@ class Table:
     def to_csv(self, path: str | os.PathLike[str]) -> None:
         """One line a setting."""
         rows = [row.as_json() for row in self.rows]
+        names = list(dict.fromkeys(name for row in rows for name in row))
         with whole_file(path) as written, written.open("w", newline="") as file:
-            writer = csv.DictWriter(file, list(rows[0]) if rows else [])
+            writer = csv.DictWriter(file, names)
             writer.writeheader()
             writer.writerows(rows)
 
@@ -131,21 +163,36 @@ def row_of(setting: Setting, repeats: Sequence[Measurement]) -> Row:
     """Median and spread of one setting."""
     failed = next((m for m in repeats if m.error is None), None)
     costs = [m.cost for m in repeats if m.cost is not None]
-    seconds = [cost.total_cpu_seconds for cost in costs]
     last = failed or repeats[-1]
+    cpu = [cost.total_cpu_seconds for cost in costs]
+    wall = [cost.total_wall_seconds for cost in costs]
+    memory = median(float(cost.peak_memory) for cost in costs)
     return Row(
         setting,
         last.error,
         last.largest,
-        statistics.median(seconds) if seconds else None,
-        max(seconds) - min(seconds) if seconds else None,
+        median(cpu),
+        max(cpu) - min(cpu) if cpu else None,
         costs[-1].steps if costs else None,
         costs[-1].points if costs else None,
-        int(statistics.median(cost.peak_memory for cost in costs)) if costs else None,
+        None if memory is None else int(memory),
         len(repeats),
         False,
         last.reason,
+        last.status,
+        median(cost.build_seconds for cost in costs),
+        median(cost.cpu_seconds for cost in costs),
+        median(cost.output_seconds for cost in costs),
+        median(wall),
+        max(wall) - min(wall) if wall else None,
+        last.errors,
     )
+
+
+def median(values: Iterable[float]) -> float | None:
+    """The median; None of nothing."""
+    known = list(values)
+    return statistics.median(known) if known else None
 
 
 def with_front(rows: Sequence[Row]) -> list[Row]:
@@ -158,7 +205,7 @@ def with_front(rows: Sequence[Row]) -> list[Row]:
         if error_of(row) < best:
             best = error_of(row)
             on_front.add(row.setting)
-    return [Row(**{**vars(row), "on_front": row.setting in on_front}) for row in rows]
+    return [replace(row, on_front=row.setting in on_front) for row in rows]
 
 
 def error_of(row: Row) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -16,8 +16,7 @@ from lapilli.reproduce.ib.balance import FORMS, Balance, balance, in_form
 from lapilli.reproduce.ib.frame import Frame
 from lapilli.reproduce.rows import below, rows_of
 from lapilli.reproduce.states import changed
-from lapilli.study import Measurement, Table, tradeoff
-from lapilli.study.measure import Task
+from lapilli.study import InProcess, Table, tradeoff
 from lapilli.study.table import cost_of, error_of
 
 NAME = "ib/forms"
@@ -137,15 +136,6 @@ def bars_picture(folder: Path, quick: bool) -> Path:
     return save(figure, folder / "ib_forms.png")
 
 
-class HereRunner:
-    """Runs that take milliseconds need no process of their own."""
-
-    def run(self, tasks: Sequence[Task]) -> Iterator[Measurement]:
-        """One after the other."""
-        for task in tasks:
-            yield task()
-
-
 def studies(quick: bool) -> dict[str, Table]:
     """Error of the displacement against cost over forms, cells and points per cell."""
     coarse = cantilever.cantilever_scene(45, 0.008, 2, cantilever.SMALL)
@@ -165,7 +155,7 @@ def studies(quick: bool) -> dict[str, Table]:
             reference,
             field="displacement",
             repeats=1,
-            runner=HereRunner(),
+            runner=InProcess(),
         )
         for name, (scene, reference, cells) in scenes.items()
     }

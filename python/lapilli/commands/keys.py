@@ -1,0 +1,50 @@
+"""lapilli keys"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from lapilli import _core
+from lapilli.commands.codes import FINISHED
+from lapilli.commands.options import Json, Quiet, Verbose
+from lapilli.console import print_json
+
+
+def command(
+    section: Annotated[
+        str,
+        Parameter(
+            help="one section (heat, heat.boundaries, shape, annulus), or history: what runs record"
+        ),
+    ] = "",
+    /,
+    *,
+    json: Json = False,
+    quiet: Quiet = False,
+    verbose: Verbose = False,
+) -> int:
+    """List the keys of a scene file: unit, range, default, meaning."""
+    del quiet, verbose
+    text = _core.keys_as_markdown(section)
+    if json:
+        print_json(tables(text))
+    else:
+        print(text, end="")
+    return FINISHED
+
+
+def tables(markdown: str) -> list[dict[str, str]]:
+    """The rows of the tables, each with the section it stands in."""
+    rows: list[dict[str, str]] = []
+    section, names = "", [""]
+    for line in markdown.splitlines():
+        cells = [cell.strip().strip("`") for cell in line.strip().strip("|").split("|")]
+        if line.startswith("#"):
+            section, names = line.strip("#` "), [""]
+        elif line.startswith("|") and names == [""]:
+            names = cells
+        elif line.startswith("|") and set(line) - set("|- :"):
+            rows.append({"section": section, **dict(zip(names, cells, strict=False))})
+    return rows

@@ -1,0 +1,133 @@
+"""lapilli study"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+from cyclopts import Parameter
+
+from lapilli.commands.codes import FINISHED, RUN_FAILED
+from lapilli.commands.options import (
+    Changes,
+    Count,
+    Json,
+    Quiet,
+    SceneFile,
+    Scheduler,
+    Verbose,
+    Workers,
+    load,
+)
+
+
+def command(
+    scene: SceneFile,
+    /,
+    *,
+    changes: Changes = None,
+    vary: Annotated[
+        list[str] | None,
+        Parameter(
+            negative=(),
+            help="a member and its values, PATH=A,B,... or PATH=LOW..HIGH or 'PATH=LOW..HIGH log'; "
+            "may be repeated",
+        ),
+    ] = None,
+    cases: Annotated[
+        Path | None, Parameter(help="CSV file: paths in its first line, a case in each other")
+    ] = None,
+    quantity: Annotated[
+        list[str] | None,
+        Parameter(
+            negative=(),
+            help="a scalar of the history, its last value or max(NAME), min, mean, range over "
+            "time; or the mean of a field; may be repeated; all scalars unless given",
+        ),
+    ] = None,
+    sample: Annotated[
+        Literal["grid", "latin-hypercube", "sobol"], Parameter(help="how cases are chosen")
+    ] = "grid",
+    samples: Annotated[
+        int | None,
+        Parameter(help="cases drawn or tried (50); with a grid, values of each range (5)"),
+    ] = None,
+    seed: Annotated[int, Parameter(help="of the samples")] = 0,
+    minimize: Annotated[
+        str | None,
+        Parameter(
+            allow_leading_hyphen=True, help="look for the smallest of this quantity; -NAME: largest"
+        ),
+    ] = None,
+    data: Annotated[
+        Path | None,
+        Parameter(help="CSV file with a column time: --minimize its distance from the scalar"),
+    ] = None,
+    workers: Workers = 1,
+    scheduler: Scheduler = None,
+    threads: Annotated[Count, Parameter(help="threads of each run")] = 1,
+    output: Annotated[
+        str | None,
+        Parameter(help="NAME.csv, .parquet, -effects.png, .jsonl; the scene's unless given"),
+    ] = None,
+    parquet: Annotated[bool, Parameter(negative=(), help="write NAME.parquet too")] = False,
+    json: Json = False,
+    quiet: Quiet = False,
+    verbose: Verbose = False,
+) -> int:
+    """Run many cases of a scene and gather numbers.
+
+    Cases that fail stay in the table with the reason; a study that was stopped goes on where it
+    was. Exit code 1 when no case finished.
+    """
+    del verbose
+    from lapilli.study import show_survey
+    from lapilli.study.runner import runner_of
+    from lapilli.study.sampling import cases_in, parse_values
+    from lapilli.study.survey import study
+
+    given = load(scene, changes)
+    name = output or scene.stem + "-study"
+    members = dict(parse_values(text) for text in vary or ())
+    if len(members) < len(vary or ()):
+        raise ValueError("--vary names one path twice: give all its values at once")
+    if (cases is None) == (not members):
+        raise ValueError("give either --vary or --cases")
+    if minimize is not None and cases is not None:
+        raise ValueError("--minimize chooses its cases: give --vary, not --cases")
+    if data is not None and minimize is None:
+        raise ValueError("--data needs --minimize NAME: the scalar that shall follow them")
+    told = None if quiet else show_survey.report
+    runner, store = runner_of(workers, scheduler), name + ".jsonl"
+    if minimize is not None:
+        from lapilli.study.optimise import minimize as search
+
+        results = search(
+            given,
+            members,
+            minimize,
+            data=data,
+            samples=samples or 50,
+            seed=seed,
+            threads=threads,
+            runner=runner,
+            store=store,
+            report=told,
+        )
+    else:
+        results = study(
+            given,
+            members,
+            quantity or (),
+            sample=sample,
+            samples=samples or (5 if sample == "grid" else 50),
+            seed=seed,
+            cases=None if cases is None else cases_in(cases),
+            threads=threads,
+            runner=runner,
+            store=store,
+            report=told,
+        )
+    written = show_survey.write(results, name, parquet)
+    goal = results.quantities[0] if minimize is not None else None
+    return FINISHED if show_survey.show(results, written, goal, json, quiet) else RUN_FAILED

@@ -1,0 +1,164 @@
+"""lapilli suggest: right about error and cost, and silent where it cannot tell."""
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lapilli as lp
+from lapilli import examples
+from lapilli.cli import main
+from lapilli.study import InProcess, suggest
+from lapilli.study.cost import Cost
+from lapilli.study.ladder import Judge, Ladder, Rung
+from lapilli.study.measure import Task
+from lapilli.study.observe import Observation, Snapshot
+from lapilli.study.settings import Setting
+from lapilli.study.suggest_show import seconds_of
+from lapilli.study.truth import truth_of
+
+
+def true_error(scene: lp.Scene, setting: Setting, reference: object, field: str) -> float:
+    """The error of a setting against a reference that `suggest` does not know."""
+    times = (scene.time.end,)
+    kinds = ((field, True),)
+    truth = truth_of(reference, setting.apply(scene), kinds, times, [setting])
+    error = Task(scene, setting, 0, truth, kinds, times)().error
+    assert error is not None
+    return error
+
+
+@pytest.mark.parametrize(
+    ("name", "changes", "target", "reference", "field"),
+    [
+        ("vhfm/ring", ["time.end=1", "grid.cell=0.4"], 1e-3, "radial", "temperature"),
+        ("vhfm/ring", ["time.end=1", "grid.cell=0.2"], 1e-2, "radial", "temperature"),
+        ("vhfm/ring_flux", ["time.end=1", "grid.cell=0.4"], 2e-3, "radial", "temperature"),
+        ("vhfm/square", ["time.end=5", "grid.cell=0.4", "grid.lower=[-8,-8]", "grid.upper=[8,8]"],
+         1e-3, "slab", "temperature"),
+        ("ib/annulus", ["grid.cell=0.016"], 1e-5, "lapilli.references.supports:annulus",
+         "displacement"),
+    ],
+)  # fmt: skip
+def test_suggestions_are_right_within_a_factor_of_two(
+    name: str, changes: list[str], target: float, reference: str, field: str
+) -> None:
+    scene = examples.load(name)
+    for change in changes:
+        scene = scene.set(change)
+    found = suggest(scene, target, runner=InProcess(), budget=20)
+    assert found.grade is not None, found.reason
+    assert found.spent <= 25
+    true = true_error(scene, found.setting, reference, field)
+    assert true <= 1.2 * target
+    assert 0.5 * found.grade.error <= true <= 2 * found.grade.error
+    assert found.grade.low <= true <= found.grade.high
+
+
+def rung(cell: float, value: float) -> Rung:
+    """A run that gave one number."""
+    history = {"time": np.array([0.0, 1.0]), "x": np.array([0.0, value])}
+    shot = Snapshot(1.0, np.zeros((1, 2)), np.ones(1), {})
+    seen = Observation([shot], history, {}, Cost(cell**-2, 0, cell**-2, 1, 1, 1))
+    return Rung(Setting((("grid.cell", repr(cell)),)), cell, seen)
+
+
+def ladder(errors: list[float]) -> Ladder:
+    """Runs of a number whose truth is 1, each cell half of the former."""
+    made = Ladder(Judge("x", False, (1.0,)))
+    made.rungs = [rung(2.0**-k, 1 + error) for k, error in enumerate(errors)]
+    return made
+
+
+def test_second_order_is_graded_and_extrapolated_exactly() -> None:
+    made = ladder([0.64, 0.16, 0.04, 0.01])
+    assert [one.error for one in made.graded()] == pytest.approx([0.64, 0.16, 0.04], rel=1e-9)
+    assert made.orders() == pytest.approx([2, 2])
+    assert made.falls_as_it_should()
+    assert made.finest_error() == pytest.approx(0.01)
+    assert made.growth("total_cpu_seconds") == pytest.approx(4)
+
+
+@pytest.mark.parametrize(
+    "errors",
+    [
+        [0.0025, 0.0022, 0.00025, 0.0002],  # the fill of a turned body changes with its cells
+        [0.5, 0.4, 0.3, 0.2],  # not yet converging
+        [0.8, 0.4, 0.2, 0.1],  # first order
+        [0.1, 0.025, 0.0251, 0.0250],  # a floor
+        [0.64, 0.16, 0.04],  # two differences tell no trend
+        [0.1, -0.1, 0.1, -0.1],
+    ],
+)
+def test_what_does_not_fall_as_it_should_is_not_extrapolated(errors: list[float]) -> None:
+    assert not ladder(errors).falls_as_it_should()
+
+
+def test_a_first_order_error_lies_in_the_range_of_its_grade() -> None:
+    for grade, true in zip(ladder([0.8, 0.4, 0.2, 0.1]).graded(), [0.8, 0.4, 0.2], strict=True):
+        assert grade.low <= true <= grade.high * (1 + 1e-9)
+
+
+def test_a_target_out_of_reach_says_what_was_reached(
+    ring: lp.Scene, capsys: pytest.CaptureFixture[str]
+) -> None:
+    ring.save("ring.toml")
+    words = ["suggest", "ring.toml", "--target-error", "1e-12", "--budget", "0.3s"]
+    assert main(words) == 1
+    said = capsys.readouterr().err
+    assert "cannot tell within 0.3 CPU s" in said
+    assert "errs by" in said
+
+
+def test_the_command_prints_a_run_and_draws_it(
+    ring: lp.Scene, capsys: pytest.CaptureFixture[str]
+) -> None:
+    ring.save("ring.toml")
+    assert main(["suggest", "ring.toml", "--target-error", "2e-2"]) == 0
+    shown = capsys.readouterr().out
+    assert shown.startswith("lapilli run ring.toml --set grid.cell=")
+    assert "rms error of temperature" in shown
+    assert Path("ring-suggest.png").read_bytes().startswith(b"\x89PNG")
+    command = shown.splitlines()[0].split()[1:]
+    assert main([*command, "-q"]) == 0  # it runs as it is
+    # and keeps the changes that were asked for
+    assert main(["suggest", "ring.toml", "--set", "time.end=0.5", "--target-error", "2e-2"]) == 0
+    assert "--set time.end=0.5 --set grid.cell=" in capsys.readouterr().out
+    assert main(["suggest", "ring.toml", "--target-error", "2e-2", "--json", "-q"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["error"] <= 2e-2
+    assert found["cpu_seconds"] > 0
+    assert found["runs"]
+
+
+def test_scalars_may_be_the_target(ring: lp.Scene) -> None:
+    found = suggest(ring, 0.02, quantity="temperature/largest", norm="relative",
+                    runner=InProcess(), budget=10)  # fmt: skip
+    assert found.grade is not None
+    fine = lp.run(ring.set("grid.cell=0.1"), progress=False).history["temperature/largest"][-1]
+    value = lp.run(found.setting.apply(ring), progress=False).history["temperature/largest"][-1]
+    assert abs(value / fine - 1) <= 0.02
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (["--target-error", "0"], "above 0"),
+        (["--target-error", "1", "--quantity", "temprature"], "did you mean 'temperature'"),
+        (["--target-error", "1", "--budget", "soon"], "s, min or h"),
+        (["--target-error", "1", "--budget", "-1"], "budget"),
+    ],
+)
+def test_mistakes(
+    ring: lp.Scene, words: list[str], says: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    ring.save("ring.toml")
+    assert main(["suggest", "ring.toml", *words]) == 2
+    assert says in capsys.readouterr().err
+
+
+def test_budgets_are_times() -> None:
+    assert [seconds_of(text) for text in ("90", "90s", "1.5min", "2h")] == [90, 90, 90, 7200]
+    assert math.isclose(seconds_of("1e-1 s"), 0.1)
