@@ -33,6 +33,11 @@ bool has_boundary(const Scene& scene) {
 bool without_normals(const Scene& scene) {
   return scene.heat->method == FluxMethod::node || scene.heat->method == FluxMethod::paper;
 }
+bool without_adaptive_steps(const Scene& scene) {
+  return scene.heat->time_integration != TimeIntegration::automatic || scene.time.step ||
+         scene.time.steps;
+}
+
 bool without_supports(const Scene& scene) { return scene.quasi_static->supports.empty(); }
 const PeridynamicFlowSettings& flow_of(const Scene& scene) { return *scene.peridynamics->flow; }
 
@@ -81,14 +86,12 @@ constexpr Rule rules[] = {
      "heat.time_integration is not implicit"},
     {"heat.solver",
      [](const Scene& scene, std::size_t) {
-       return scene.heat->time_integration == TimeIntegration::explicit_euler;
+       return scene.heat->time_integration != TimeIntegration::implicit_theta &&
+              without_adaptive_steps(scene);
      },
-     "heat.time_integration is explicit"},
+     "heat.time_integration is explicit, or the step is given"},
     {"heat.tolerance",
-     [](const Scene& scene, std::size_t) {
-       return scene.heat->time_integration != TimeIntegration::automatic || scene.time.step ||
-              scene.time.steps;
-     },
+     [](const Scene& scene, std::size_t) { return without_adaptive_steps(scene); },
      "heat.time_integration is not auto, or the step is given"},
     {"heat.blend",
      [](const Scene& scene, std::size_t) {

@@ -40,13 +40,14 @@ TEST_CASE("a setting that nothing reads is named with the reason") {
   };
   const auto idle =
       GENERATE(Idle{"heat.theta=1", "heat.theta", "heat.time_integration is not implicit"},
-               Idle{"heat.solver=cg", "heat.solver", "heat.time_integration is not implicit"},
+               Idle{"heat.solver=cg", "heat.solver", "explicit, or the step is given"},
+               Idle{"heat.tolerance=1e-3", "heat.tolerance", "the step is given"},
                Idle{"heat.surface_fraction=0.4", "heat.surface_fraction", "is not paper"},
                Idle{"heat.blend=2", "heat.blend", "only heat.transfer = affine"},
                Idle{"heat.implicit_robin=false", "heat.implicit_robin", "neither"},
                Idle{"bodies[0].seed=3", "bodies[0].seed", "neither jitter nor random"},
                Idle{"bodies[0].rotation_center=[1, 1]", "bodies[0].rotation_center", "rotated"});
-  const std::vector<std::string> notes = unused_settings(with({idle.change}));
+  const std::vector<std::string> notes = unused_settings(with({"time.step=1e-5", idle.change}));
   REQUIRE(notes.size() == 1);
   CHECK_THAT(notes[0], Contains(std::string(idle.path) + " has no effect: "));
   CHECK_THAT(notes[0], Contains(idle.why));
@@ -56,6 +57,7 @@ TEST_CASE("settings that are read are not named") {
   CHECK(unused_settings(with({})).empty());
   CHECK(unused_settings(with({"heat.time_integration=implicit", "heat.theta=1", "heat.solver=cg"}))
             .empty());
+  CHECK(unused_settings(with({"heat.solver=cg", "heat.tolerance=1e-3"})).empty());
   CHECK(unused_settings(with({"heat.transfer=affine", "heat.blend=2"})).empty());
   CHECK(unused_settings(with({"bodies[0].jitter=0.1", "bodies[0].seed=3"})).empty());
 }

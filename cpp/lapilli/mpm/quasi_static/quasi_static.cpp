@@ -50,10 +50,12 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::attempt(double from, double 
   }
   Archive before;
   reference_.save(before);
+  const bool moved_far = moved_far_;
   try {
     reset_grid(from);
     return try_step(from, to);
   } catch (const RunError&) {
+    choose_stiffness(moved_far);
     undo_reset(before);
     throw;
   }
@@ -210,6 +212,7 @@ template <int Dim>
 void QuasiStatic<Dim>::reset_grid(double time) {
   reference_.imbalance_due = relaxation_ > 0.0 && reference_.moved.size() > 0;
   reference_.start(points_, half_width_.get(), time);
+  choose_stiffness(moved_far_ || farthest_moved() >= 0.5 * grid_.cell_size());
   reference_.scheme = scheme_;
   reference_.support_forces = support_forces_;
   reference_.locate(grid_, points_, materials_, averaged_, boundary_);

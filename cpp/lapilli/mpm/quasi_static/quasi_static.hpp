@@ -77,6 +77,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   /// Energy of what smoothing over the nodes changes in the stress, over its own.
   double roughness() const;
   double farthest_moved() const;
+  void choose_stiffness(bool moved_far);
   Eigen::VectorXd solve(const Equilibrium<Dim>& equilibrium, Report& report) const;
   std::vector<Vec<Dim>> moves_of(const Equilibrium<Dim>& equilibrium,
                                  const Eigen::VectorXd& u) const;
@@ -94,6 +95,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   Boundary<Dim> boundary_;
   SupportScheme scheme_;
   double ghost_ = 0.0;
+  bool moved_far_ = false;  // whether a point had moved by half a cell at the last reset
   bool update_volumes_ = true;
   std::vector<char> averaged_;  // by body: whether its dilatation is that of the cell
 

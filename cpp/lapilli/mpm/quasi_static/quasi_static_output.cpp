@@ -17,6 +17,7 @@ std::vector<Field> QuasiStatic<Dim>::fields() {
 
 template <int Dim>
 void QuasiStatic<Dim>::save(Archive& archive) const {
+  archive.write("quasi_static/moved_far", Index{moved_far_});
   archive.write("quasi_static/stress", stress_.values());
   archive.write("quasi_static/displacement", displacement_.values());
   archive.write("quasi_static/start_volume", start_volume_.values());
@@ -45,6 +46,7 @@ void QuasiStatic<Dim>::load(const Archive& archive) {
   if (half_width_) {
     archive.read("quasi_static/half_width", half_width_->values());
   }
+  choose_stiffness(archive.read_index("quasi_static/moved_far") != 0);
   reference_.scheme = scheme_;
   reference_.load(archive);
   reference_.locate(grid_, points_, materials_, averaged_, boundary_);
