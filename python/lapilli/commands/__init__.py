@@ -10,6 +10,7 @@ COMMANDS = (
     "run",
     "check",
     "plot",
+    "report",
     "merge",
     "verify",
     "keys",

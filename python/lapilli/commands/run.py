@@ -70,7 +70,9 @@ def as_json(result: Result) -> dict[str, Any]:
             }
             for name, one in result.balance.items()
         },
-        "last": {name: float(values[-1]) for name, values in result.history.items() if len(values)},
+        "last": {
+            name: float(values[-1]) for name, values in summary.history.items() if len(values)
+        },
         "warnings": result.warnings,
         "output": str(result.output),
         "record": str(result.output.with_suffix(".json")),

@@ -18,7 +18,6 @@ from lapilli.frames import Frame, Frames
 from lapilli.plot.canvas import panels_for, require_matplotlib
 from lapilli.plot.picture import (
     Source,
-    colours_of,
     frames_of,
     limits_of,
     paint,
@@ -70,7 +69,6 @@ def pictures(
     looked_at = [_views(_at(runs, numbers[k]), field, style) for k in every]
     ends = [limits_of(views, style) for views in looked_at]
     limits = min(low for low, _ in ends), max(high for _, high in ends)
-    colours = colours_of(runs, field, style)
     held = [[views[k] for views in looked_at] for k in range(len(runs))]
     figure, axes = panels_for(held)
     figure.set_dpi(dpi)
@@ -82,7 +80,7 @@ def pictures(
         if not drawn or is_moving:
             _clear(figure, len(axes))
             figure.set_layout_engine("compressed")
-            drawn = paint(figure, axes, frames, views, style, limits, colours, held)
+            drawn = paint(figure, axes, frames, views, style, limits, held)
             figure.set_layout_engine("none")
         else:
             _move(axes, views, drawn)

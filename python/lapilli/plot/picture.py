@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lapilli.components import MAGNITUDE, component_names, parted
 from lapilli.frames import Frame, Frames
 from lapilli.plot.canvas import dot_areas, ends_of, panels_for, require_matplotlib
 from lapilli.plot.overlays import draw_contours, draw_vectors
@@ -52,9 +51,7 @@ def draw(
     shown = [run[-1] if time is None else run.at(time) for run in runs]
     views = [view_of(frame, field, style) for frame in shown]
     figure, axes = panels_for([[view] for view in views])
-    paint(
-        figure, axes, shown, views, style, limits_of(views, style), colours_of(runs, field, style)
-    )
+    paint(figure, axes, shown, views, style, limits_of(views, style))
     if len(runs) > 1:
         for panel, run in zip(axes, runs, strict=True):
             panel.set_title(f"{run.path.stem}, {panel.get_title()}")
@@ -74,7 +71,7 @@ def frames_of(source: Source | Sequence[Source]) -> list[Frames]:
 
 
 def limits_of(views: Sequence[View], style: Style) -> Limits:
-    """The ends of the colours: those of all values that are shown; symmetric if both signs are."""
+    """The ends of the colours: those of all values that are shown."""
     if style.limits is not None:
         return style.limits
     low = min(float(np.nanmin(view.values[view.rows])) for view in views)
@@ -82,13 +79,14 @@ def limits_of(views: Sequence[View], style: Style) -> Limits:
     return low, high
 
 
-def colours_of(runs: Sequence[Frames], field: str, style: Style) -> str:
-    """A map with a middle for components of either sign, else one from dark to light."""
-    if style.colours is not None:
-        return style.colours
-    name, component = parted(field)
-    is_signed = component not in ("", MAGNITUDE) and bool(component_names(runs[0][0][name]))
-    return "coolwarm" if is_signed else "inferno"
+def scale_of(limits: Limits, style: Style) -> tuple[Limits, str]:
+    """Ends and map of the colours: with zero in the middle where values of both signs are large,
+    else from dark to light."""
+    low, high = limits
+    end = max(abs(low), abs(high))
+    if style.limits is None and low < -0.1 * end and high > 0.1 * end:
+        return (-end, end), style.colours or "coolwarm"
+    return limits, style.colours or "inferno"
 
 
 def paint(
@@ -98,14 +96,14 @@ def paint(
     views: Sequence[View],
     style: Style,
     limits: Limits,
-    colours: str,
     held: Sequence[Sequence[View]] | None = None,
 ) -> list[Any]:
     """One panel for each view, with room for the views of each that are `held`; returns what is
     coloured."""
-    if colours == "coolwarm" and style.limits is None:
-        end = max(abs(limits[0]), abs(limits[1]))
-        limits = -end, end
+    if views[0].is_plane:
+        limits, colours = scale_of(limits, style)
+    else:
+        colours = ""
     drawn = [
         draw_view(panel, view, limits, colours) for panel, view in zip(axes, views, strict=True)
     ]

@@ -12,6 +12,7 @@ import lapilli as lp
 pytest.importorskip("matplotlib")
 from lapilli import plot
 from lapilli.plot import Style
+from lapilli.plot.picture import scale_of
 from lapilli.plot.view import view_of
 
 
@@ -33,9 +34,16 @@ def test_colours_are_the_values_of_the_points(falling: lp.Result) -> None:
     dots = figure.axes[0].collections[0]
     np.testing.assert_array_equal(dots.get_array(), frame["velocity.y"])
     np.testing.assert_array_equal(dots.get_offsets(), frame.position[:, :2])
-    low, high = dots.get_clim()
-    assert low == -high  # a component has a sign: zero is in the middle
-    assert high == np.abs(frame["velocity.y"]).max()
+    assert dots.get_clim() == (frame["velocity.y"].min(), frame["velocity.y"].max())
+
+
+def test_values_of_both_signs_have_zero_in_the_middle() -> None:
+    assert scale_of((-3.0, 2.0), Style()) == ((-3.0, 3.0), "coolwarm")
+    assert scale_of((-3.0, 0.1), Style()) == ((-3.0, 0.1), "inferno")
+    assert scale_of((-3.0, 2.0), Style(limits=(-3.0, 2.0), colours="bone")) == (
+        (-3.0, 2.0),
+        "bone",
+    )
 
 
 def test_dots_are_as_large_as_the_boxes_of_the_points(heated: lp.Result) -> None:
