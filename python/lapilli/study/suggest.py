@@ -120,9 +120,8 @@ class Search:
     def run(self) -> Suggestion:
         """Climb the ladder, try variants, say what was found."""
         ladder = self.climb()
-        reached = [one for one in ladder.graded() if one.error <= SAFE * self.target]
-        if reached:
-            base = reached[0]
+        base = self.reached(ladder)
+        if base is not None:
             tried = self.try_variants(ladder, base)
             good = [one for one in tried if one.error <= SAFE * self.target]
             best = min([base, *good], key=lambda one: one.rung.effort)
@@ -131,9 +130,20 @@ class Search:
             return self.extrapolated(ladder)
         return self.cannot_tell(ladder)
 
+    def reached(self, ladder: Ladder) -> Grade | None:
+        """The coarsest rung from which on all reach the target; two graded rungs whose errors do
+        not grow must confirm it."""
+        graded = ladder.graded()
+        good = [one.error <= SAFE * self.target for one in graded]
+        if len(graded) < 2 or not good[-1]:
+            return None
+        if graded[-1].error > graded[-2].error and not good[-2]:
+            return None
+        first = len(good) - next((k for k, one in enumerate(reversed(good)) if not one), len(good))
+        return graded[first]
+
     def climb(self) -> Ladder:
-        """Run finer until a rung that the finest judges reaches the target, errors may be
-        extrapolated to it, or the budget ends."""
+        """Run finer until rungs that the finest judges reach the target, or the budget ends."""
         ladder = Ladder(self.judge)
         failures: list[str] = []
         level = -int(math.log2(COARSEST))
@@ -155,18 +165,11 @@ class Search:
                 rungs.clear()  # too coarse for the scene, and so were those before
                 continue
             rungs.append(rung)
-            if self.is_enough(ladder):
+            if self.reached(ladder) is not None:
                 break
         if not ladder.rungs:
             raise ValueError("no run worked: " + "; ".join(dict.fromkeys(failures)))
         return ladder
-
-    def is_enough(self, ladder: Ladder) -> bool:
-        """Whether a rung reaches the target, two rungs below it confirm that errors fall."""
-        graded = ladder.graded()
-        if len(graded) < 2:
-            return False
-        return graded[-1].error <= SAFE * self.target and graded[-1].error <= graded[-2].error
 
     def rung_setting(self, level: int) -> Setting:
         """The scene's own setting at level 0, twice as fine at each further one."""
