@@ -130,7 +130,8 @@ def pretended(
 
 
 def test_beyond_the_budget_second_order_is_extrapolated(ring: lp.Scene) -> None:
-    """Runs at 2, 1, 0.5, 0.25 m take 273 s; an error of 3e-2, less a margin for what was not run, needs 0.125 m."""
+    """Runs at 2, 1, 0.5, 0.25 m take 273 s; 3e-2, less a margin for what was not run, needs
+    0.125 m."""
     found = pretended(ring, 3e-2, 300, lambda cell: cell**2)
     assert found.grade is not None
     assert not found.was_run
