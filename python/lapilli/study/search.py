@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from lapilli._core import Scene
+from lapilli.study.finer import TIGHTEST
 from lapilli.study.fitting import with_cell
 from lapilli.study.ladder import UNCERTAIN, Climb, Grade, Judge, Ladder, Rung
 from lapilli.study.runner import Runner
@@ -18,6 +19,7 @@ Tell = Callable[[str], None]
 COARSEST = 4  # cells of the first rung over those of the scene
 MOST_RUNGS = 9
 SAFE = 0.9  # a setting must reach this part of the target to be chosen
+LOOSEST = 1e-2  # tolerance of steps in time
 BEYOND = 2  # halvings that may be extrapolated
 
 
@@ -124,6 +126,10 @@ class Search:
             changes.append(("time.steps", str(max(1, round(steps * 2.0**level)))))
         elif isinstance(step, float | int):
             changes.append(("time.step", repr(step / 2.0**level)))
+        elif self.scene.heat is not None and self.scene.heat.time_integration == "auto":
+            # errors in time fall with those in space, or a floor would look like a small error
+            tolerance = min(self.scene.heat.tolerance / 4.0**level, LOOSEST)
+            changes.append(("heat.tolerance", f"{max(tolerance, TIGHTEST):.3g}"))
         return Setting(tuple(changes))
 
     def work(self, setting: Setting) -> Climb:
