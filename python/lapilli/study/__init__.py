@@ -16,7 +16,7 @@
 | table, picture, show | median and spread, the Pareto front, the advice, files |
 | sampling, survey, results, effects, show_survey | many cases of a scene as a table |
 | optimise | cases chosen by what the former ones gave: optimisation, calibration |
-| ladder, variants, suggest, suggest_show | the cheapest setting within an error |
+| ladder, variants, search, suggest, suggest_show | the cheapest setting within an error |
 """
 
 from lapilli.study.cluster import DaskCluster

@@ -9,6 +9,7 @@ from lapilli.study.fitting import with_cell
 from lapilli.study.settings import Setting
 
 FINER = 2.0  # the reference's cells and steps are shorter by this
+TIGHTEST = 1e-8  # tolerance of steps in time
 
 
 def finer_setting(scene: Scene, settings: Sequence[Setting]) -> Setting:
@@ -26,4 +27,8 @@ def finer_setting(scene: Scene, settings: Sequence[Setting]) -> Setting:
         changes.append(("time.steps", str(round(FINER * max(steps)))))
     elif sizes:
         changes.append(("time.step", repr(min(sizes) / FINER**2)))  # explicit limits go with cell^2
+    elif scene.heat is not None and scene.heat.time_integration == "auto":
+        tolerances = [one.heat.tolerance for one in scenes if one.heat is not None]
+        finest = max(min(tolerances) / FINER**2, TIGHTEST)
+        changes.append(("heat.tolerance", f"{finest:.3g}"))
     return Setting(tuple(changes))

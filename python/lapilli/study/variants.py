@@ -36,15 +36,20 @@ def points_per_cell(scene: Scene) -> Iterator[Changes]:
 
 
 def integrations(scene: Scene) -> Iterator[Changes]:
-    """Implicit steps for heat alone; more or fewer of them, or of load steps."""
+    """Looser tolerances, or explicit or implicit steps, for heat alone; fewer load steps."""
     steps = scene.time.steps
     if scene.heat is not None and scene.dynamics is None:
-        for count in (10, 25, 50, 100):
-            yield (
-                ("heat.time_integration", "implicit"),
-                ("heat.theta", "0.5"),
-                ("time.steps", str(count)),
-            )
+        if scene.heat.time_integration == "auto":
+            for factor in (10.0, 100.0):
+                yield (("heat.tolerance", f"{min(factor * scene.heat.tolerance, 0.1):.3g}"),)
+            yield (("heat.time_integration", "explicit"),)
+        else:
+            for count in (10, 25, 50, 100):
+                yield (
+                    ("heat.time_integration", "implicit"),
+                    ("heat.theta", "0.5"),
+                    ("time.steps", str(count)),
+                )
     elif scene.quasi_static is not None and isinstance(steps, int) and steps > 1:
         yield (("time.steps", str(max(1, steps // 2))),)
 

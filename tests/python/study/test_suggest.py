@@ -2,6 +2,7 @@
 
 import json
 import math
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -10,9 +11,9 @@ import pytest
 import lapilli as lp
 from lapilli import examples
 from lapilli.cli import main
-from lapilli.study import InProcess, suggest
+from lapilli.study import InProcess, Suggestion, suggest
 from lapilli.study.cost import Cost
-from lapilli.study.ladder import Judge, Ladder, Rung
+from lapilli.study.ladder import Climb, Judge, Ladder, Rung
 from lapilli.study.measure import Task
 from lapilli.study.observe import Observation, Snapshot
 from lapilli.study.settings import Setting
@@ -99,6 +100,86 @@ def test_what_does_not_fall_as_it_should_is_not_extrapolated(errors: list[float]
 def test_a_first_order_error_lies_in_the_range_of_its_grade() -> None:
     for grade, true in zip(ladder([0.8, 0.4, 0.2, 0.1]).graded(), [0.8, 0.4, 0.2], strict=True):
         assert grade.low <= true <= grade.high * (1 + 1e-9)
+
+
+class Pretended:
+    """Runs of a number whose error and cost depend on the cell as they are told to."""
+
+    def __init__(self, error: Callable[[float], float], seconds: Callable[[float], float]) -> None:
+        self.error, self.seconds = error, seconds
+
+    def run(self, tasks: Sequence[Climb]) -> Iterator[Rung]:
+        for task in tasks:
+            value = 1 + self.error(task.cell)
+            history = {"time": np.array([0.0, 1.0]), "temperature/largest": np.array([0, value])}
+            shot = Snapshot(1.0, np.zeros((1, 2)), np.ones(1), {})
+            own = {"grid.cell", "heat.tolerance"}  # of the ladder; variants are slower
+            slow = 1.0 if dict(task.setting.changes).keys() <= own else 3.0
+            cost = Cost(slow * self.seconds(task.cell), 0, 1, 1, 1, 1000)
+            yield Rung(task.setting, task.cell, Observation([shot], history, {}, cost))
+
+
+def pretended(
+    ring: lp.Scene,
+    target: float,
+    budget: float,
+    error: Callable[[float], float],
+) -> Suggestion:
+    """Cells of 2, 1, 0.5, ... m; the run at 1 m takes a second, each finer one 16 times as long."""
+    runner = Pretended(error, lambda cell: cell**-4)
+    return suggest(ring, target, quantity="temperature/largest", budget=budget, runner=runner)
+
+
+def test_beyond_the_budget_second_order_is_extrapolated(ring: lp.Scene) -> None:
+    """Runs at 2, 1, 0.5, 0.25 m take 273 s; 3e-2, less a margin for what was not run, needs
+    0.125 m."""
+    found = pretended(ring, 3e-2, 300, lambda cell: cell**2)
+    assert found.grade is not None
+    assert not found.was_run
+    assert dict(found.setting.changes)["grid.cell"] == "0.125"
+    assert found.grade.error == pytest.approx(0.125**2, rel=1e-6)
+    assert found.grade.low < 0.125**2 < found.grade.high
+    assert found.cpu_seconds == pytest.approx(0.125**-4, rel=1e-6)
+    assert found.spent < 300
+    # further than two halvings is too far
+    assert pretended(ring, 1e-4, 300, lambda cell: cell**2).grade is None
+
+
+def test_within_the_budget_the_coarsest_that_reaches_is_taken(ring: lp.Scene) -> None:
+    found = pretended(ring, 0.3, 300, lambda cell: cell**2)
+    assert found.was_run
+    assert dict(found.setting.changes)["grid.cell"] == "0.5"
+    assert found.grade is not None
+    assert found.grade.error == pytest.approx(0.25, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    "error",
+    [
+        lambda cell: 0.3 + 0.05 * cell,  # far from converging
+        lambda cell: cell**2 if cell > 0.4 else 0.9 * cell,  # the order changes
+        lambda cell: 0.1 * math.cos(40 * cell),  # up and down
+        lambda cell: 0.2 * cell,  # first order
+        lambda cell: {2.0: 0.1, 1.0: 0.0975, 0.5: 0.096, 0.25: 0.07}.get(cell, 0.06),
+    ],
+)
+def test_errors_that_do_not_fall_as_they_should_are_never_extrapolated(
+    ring: lp.Scene, error: Callable[[float], float]
+) -> None:
+    found = pretended(ring, 2e-3, 300, error)
+    assert found.grade is None
+    assert "cannot tell within 300 CPU s" in found.reason
+    assert "orders of the differences are" in found.reason
+
+
+def test_a_cell_that_is_right_by_chance_is_not_taken(ring: lp.Scene) -> None:
+    """The run at 1 m happens to be near the finest; at 0.5 m it is not."""
+    errors = {2.0: 0.8, 1.0: 0.013, 0.5: 0.05, 0.25: 0.0125}
+    found = pretended(ring, 0.06, 300, lambda cell: errors[cell])
+    assert found.grade is not None
+    assert dict(found.setting.changes)["grid.cell"] == "1.0"  # all from here on are within 0.06
+    narrow = pretended(ring, 0.02, 300, lambda cell: errors[cell])
+    assert narrow.grade is None
 
 
 def test_a_target_out_of_reach_says_what_was_reached(
