@@ -2213,8 +2213,8 @@ class QuasiStatic:
         how walls are imposed where they do not fit the grid
     bandwidth : float | None, cells, default None
         of the stiff constraint; absent: 1e-3, literal 1e-6; above 0 and at most 1 (cells)
-    gap_bandwidth : float, cells, default 0.05
-        of the moderate constraint of mean-gap and nitsche; above 0 and at most 1 (cells)
+    gap_bandwidth : float | None, cells, default None
+        of the moderate constraint of mean-gap and nitsche; absent: 0.05, mean-gap 0.5 until a point has moved by half a cell; above 0 and at most 1 (cells)
     ghost_penalty : float | None, default None
         stabilisation of cut and surface cells; absent: 0.01, literal none; from 0 to 1
     hold_empty_cells : bool, default True
@@ -2248,7 +2248,7 @@ class QuasiStatic:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, enforcement: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'] = ..., bandwidth: float | None = ..., gap_bandwidth: float = ..., ghost_penalty: float | None = ..., hold_empty_cells: bool = ..., reset: float | None = ..., relaxation: float | None = ..., update_volumes: bool | None | str = ..., b_bar: bool | None | str = ..., max_penetration: float = ..., body_force: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., tolerance: float = ..., max_iterations: int = ..., max_cutbacks: int = ..., supports: list[Support] = ..., tractions: list[SurfaceTraction] = ...) -> None:
+    def __init__(self, *, enforcement: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'] = ..., bandwidth: float | None = ..., gap_bandwidth: float | None = ..., ghost_penalty: float | None = ..., hold_empty_cells: bool = ..., reset: float | None = ..., relaxation: float | None = ..., update_volumes: bool | None | str = ..., b_bar: bool | None | str = ..., max_penetration: float = ..., body_force: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., tolerance: float = ..., max_iterations: int = ..., max_cutbacks: int = ..., supports: list[Support] = ..., tractions: list[SurfaceTraction] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -2289,12 +2289,12 @@ class QuasiStatic:
     def enforcement(self, value: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty']) -> None:
         ...
     @property
-    def gap_bandwidth(self) -> float:
+    def gap_bandwidth(self) -> float | None:
         """
-        of the moderate constraint of mean-gap and nitsche, cells
+        of the moderate constraint of mean-gap and nitsche; absent: 0.05, mean-gap 0.5 until a point has moved by half a cell, cells
         """
     @gap_bandwidth.setter
-    def gap_bandwidth(self, value: float) -> None:
+    def gap_bandwidth(self, value: float | None) -> None:
         ...
     @property
     def ghost_penalty(self) -> float | None:

@@ -112,7 +112,7 @@ struct QuasiStaticSettings {
   Enforcement enforcement = Enforcement::mean_gap;
   std::optional<double> bandwidth;      // cells, of the stiff constraint; 1e-3, literal 1e-6
   std::optional<double> gap_bandwidth;  // cells, of the moderate constraint: mean-gap and nitsche
-  std::optional<double> ghost_penalty;  // stabilisation of cut and surface cells; literal 0
+  std::optional<double> ghost_penalty;  // stabilisation of cut and surface cells; 0.01, literal 0
   bool hold_empty_cells = true;         // a wall in an empty cell next to material keeps its hold
   std::optional<double> reset;       // cells a point moves before the grid is reset; 0.1, literal 0
   std::optional<double> relaxation;  // cells of motion that take up what a reset leaves; 0.5,
@@ -140,13 +140,12 @@ struct QuasiStaticSettings {
         Key("gap_bandwidth")
             .unit("cells")
             .range(0.0, 1.0, true)
-            .text("of the moderate constraint of mean-gap and nitsche; absent: 0.05, mean-gap 0.2 "
+            .text("of the moderate constraint of mean-gap and nitsche; absent: 0.05, mean-gap 0.5 "
                   "until a point has moved by half a cell"),
         self.gap_bandwidth);
     visit(Key("ghost_penalty")
               .range(0.0, 1.0)
-              .text("stabilisation of cut and surface cells; absent: 0.01, mean-gap 0.001 until a "
-                    "point has moved by half a cell, literal none"),
+              .text("stabilisation of cut and surface cells; absent: 0.01, literal none"),
           self.ghost_penalty);
     visit(Key("hold_empty_cells").text("a wall in an empty cell next to material keeps its hold"),
           self.hold_empty_cells);
