@@ -162,7 +162,7 @@ class Ladder:
         difference, last = self.difference(rung, self.rungs[-1]), self.steps()[-1]
         own = last / (2 ** self.order() - 1)
         error = math.hypot(difference, own)
-        low = min(abs(difference - own), error / UNCERTAIN**0.5)
+        low = min(max(0.0, difference - last), error / UNCERTAIN**0.5)
         return Grade(rung, error, low, difference + last, "against a finer run")
 
     def order(self) -> float:
