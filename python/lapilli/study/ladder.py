@@ -144,17 +144,31 @@ class Ladder:
         return [self.grade(rung) for rung in self.rungs[:-1]]
 
     def grade(self, rung: Rung) -> Grade:
-        """Any run judged by the finest rung."""
-        finest = self.rungs[-1]
-        difference = self.difference(rung, finest)
-        ratio = max(rung.cell / finest.cell, 1.0)
-        if ratio < 1.5:  # as fine as its judge, which errs as much
-            return Grade(rung, 2 * difference, difference, math.inf, "as fine as its judge")
-        error = difference / (1 - ratio**-DESIGN_ORDER)
+        """A rung judged by the finest."""
+        difference = self.difference(rung, self.rungs[-1])
+        ratio = rung.cell / self.rungs[-1].cell
+        error = difference / (1 - ratio ** -self.order())
         return Grade(
-            rung, error, difference / UNCERTAIN**0.5, difference / (1 - 1 / ratio),
+            rung,
+            error,
+            difference / UNCERTAIN**0.5,
+            difference / (1 - 1 / ratio),
             "against a finer run",
-        )  # fmt: skip
+        )
+
+    def grade_other(self, rung: Rung) -> Grade:
+        """A run with other settings judged by the finest rung, whose own error may add to the
+        difference or hide in it."""
+        difference, last = self.difference(rung, self.rungs[-1]), self.steps()[-1]
+        own = last / (2 ** self.order() - 1)
+        error = math.hypot(difference, own)
+        low = min(max(0.0, difference - last), error / UNCERTAIN**0.5)
+        return Grade(rung, error, low, difference + last, "against a finer run")
+
+    def order(self) -> float:
+        """The design order; 1 where the last two differences say that it is no more."""
+        last = self.orders()[-2:]
+        return 1.0 if len(last) == 2 and all(one < FALLS[0] for one in last) else DESIGN_ORDER
 
     def steps(self) -> list[float]:
         """Differences of successive rungs."""

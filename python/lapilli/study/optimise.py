@@ -100,7 +100,10 @@ def minimize(
     require_paths([first], scene)
     make, goal, units = case_maker(scene, quantity, data, threads, first)
     search = sampler_study(seed)
-    key = key_of(scene.to_json(), goal, str(data), "minimize")
+    known = None if data is None else series_of(data, quantity)
+    numbers = None if known is None else [known.times.tolist(), known.values.tolist()]
+    key = key_of(scene.to_json(), goal, numbers, "minimize")
+    pool = runner or LocalPool()
     kept = Store(store, key, Outcome.from_json, Outcome.as_json)
     held = {row.setting: row for row in kept.rows}
     order: list[Setting] = []
@@ -108,7 +111,7 @@ def minimize(
         trials = [search.ask() for _ in range(min(BATCH, samples - len(order)))]
         chosen = [suggestion(trial, vary) for trial in trials]
         new = [make(one) for one in dict.fromkeys(chosen) if one not in held]
-        for outcome in (runner or LocalPool()).run(new):
+        for outcome in pool.run(new):
             kept.add(outcome)
             held[outcome.setting] = outcome
             if report is not None:
@@ -133,10 +136,14 @@ def case_maker(
     if data is None:
         plain = Case(scene, first, wanted, fields, threads)
         return lambda one: replace(plain, setting=one), str(wanted[0]), units
-    held = data if isinstance(data, Series) else series_of_table(data, quantity)
-    misfit = MisfitCase(scene, first, (), (), threads, quantity, held)
+    misfit = MisfitCase(scene, first, (), (), threads, quantity, series_of(data, quantity))
     goal = misfit_name(quantity)
     return lambda one: replace(misfit, setting=one), goal, {goal: units.get(quantity, "")}
+
+
+def series_of(data: str | os.PathLike[str] | Series, quantity: str) -> Series:
+    """The data, read from their file if need be."""
+    return data if isinstance(data, Series) else series_of_table(data, quantity)
 
 
 def sampler_study(seed: int) -> optuna.Study:

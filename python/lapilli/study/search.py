@@ -161,7 +161,7 @@ class Search:
                 planned += rung.effort
                 if planned <= self.budget:
                     works.append(self.work(merged(rung.setting, variant)))
-        return [ladder.grade(one) for one in self.do(works) if one.seen is not None]
+        return [ladder.grade_other(one) for one in self.do(works) if one.seen is not None]
 
     def found(self, best: Grade, ladder: Ladder, tried: list[Grade]) -> Suggestion:
         """A setting that was run; once more, to see what its output takes."""

@@ -97,6 +97,24 @@ def test_what_does_not_fall_as_it_should_is_not_extrapolated(errors: list[float]
     assert not ladder(errors).falls_as_it_should()
 
 
+def test_other_settings_carry_the_error_of_their_judge() -> None:
+    """One that errs as its judge does differs little from it, and is not thought exact."""
+    made = ladder([0.64, 0.16, 0.04, 0.01])
+    twin = made.grade_other(rung(0.25, 1.01))
+    assert twin.error == pytest.approx(0.01, rel=1e-6)
+    for error in (0.04, -0.04, 0.02):
+        other = made.grade_other(rung(0.25, 1 + error))
+        assert other.low * (1 - 1e-9) <= abs(error) <= other.high * (1 + 1e-9)
+        assert 0.5 <= abs(error) / other.error <= 2
+
+
+def test_first_order_is_seen_and_graded_as_such() -> None:
+    made = ladder([0.8, 0.4, 0.2, 0.1])
+    assert made.order() == 1
+    assert [one.error for one in made.graded()] == pytest.approx([0.8, 0.4, 0.2], rel=1e-9)
+    assert ladder([0.64, 0.16, 0.04, 0.01]).order() == 2
+
+
 def test_a_first_order_error_lies_in_the_range_of_its_grade() -> None:
     for grade, true in zip(ladder([0.8, 0.4, 0.2, 0.1]).graded(), [0.8, 0.4, 0.2], strict=True):
         assert grade.low <= true <= grade.high * (1 + 1e-9)

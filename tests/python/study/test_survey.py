@@ -234,6 +234,10 @@ def test_minimize_finds_what_made_the_data(quick: lp.Scene, tmp_path: Path) -> N
     again = minimize(quick, vary, **search, runner=LocalPool(2), store=tmp_path / "s.jsonl",
                      report=lambda *a: ran.append(a))  # fmt: skip
     assert ran == []  # all of it was kept, and the same cases were asked for
+    data.write_text("time,measured\n1,0.5\n")  # other data, another study
+    minimize(quick, vary, **{**search, "samples": 1}, runner=InProcess(),
+             store=tmp_path / "s.jsonl", report=lambda *a: ran.append(a))  # fmt: skip
+    assert len(ran) == 1
     assert again.best("misfit(temperature/largest)") == best
 
 
