@@ -31,7 +31,10 @@ def command(
     quiet: Quiet = False,
     verbose: Verbose = False,
 ) -> int:
-    """A run as one HTML page: what was modelled, pictures, histories, balances, settings, cost."""
+    """A run as one page of HTML.
+
+    What was modelled and what not, pictures in time, histories, balances, settings, cost.
+    """
     del verbose
     from lapilli.commands.plot import style_of
     from lapilli.report import write_report

@@ -78,7 +78,7 @@ class Chart {
     this.span = this.all;
     const box = add(parent, "div", { class: "chart" });
     add(box, "strong", {}, chart.unit ? `${chart.title} (${chart.unit})` : chart.title);
-    this.svg = add(box, "svg", { viewBox: "0 0 800 260", role: "img" });
+    this.svg = add(box, "svg", { viewBox: "0 0 520 260", role: "img" });
     this.readout = add(box, "div", { class: "readout" });
     this.legend = add(box, "div", { class: "legend" });
     chart.curves.forEach((curve, k) => this.addName(curve, k));
@@ -102,10 +102,10 @@ class Chart {
   // Where the pointer is, in the units of the drawing.
   place(event) {
     const box = this.svg.getBoundingClientRect();
-    return Math.max(60, Math.min(790, ((event.clientX - box.left) / box.width) * 800));
+    return Math.max(60, Math.min(510, ((event.clientX - box.left) / box.width) * 520));
   }
-  x(time) { return 60 + (730 * (time - this.span[0])) / (this.span[1] - this.span[0]); }
-  time(x) { return this.span[0] + ((x - 60) / 730) * (this.span[1] - this.span[0]); }
+  x(time) { return 60 + (450 * (time - this.span[0])) / (this.span[1] - this.span[0]); }
+  time(x) { return this.span[0] + ((x - 60) / 450) * (this.span[1] - this.span[0]); }
 
   move(event) {
     const at = this.place(event);
@@ -142,14 +142,14 @@ class Chart {
     if (high - low < 1e-9 * size) [low, high] = [low - 0.1 * size, high + 0.1 * size]; // rounding only
     const y = (value) => 225 - (210 * (value - low)) / (high - low);
     for (const value of ticks(low, high, 5)) {
-      add(this.svg, "line", { x1: 60, x2: 790, y1: y(value), y2: y(value), stroke: "#e8e8e8" });
+      add(this.svg, "line", { x1: 60, x2: 510, y1: y(value), y2: y(value), stroke: "#e8e8e8" });
       add(this.svg, "text", { x: 55, y: y(value) + 4, "text-anchor": "end" }, number(value));
     }
-    for (const time of ticks(...this.span, 8)) {
+    for (const time of ticks(...this.span, 5)) {
       add(this.svg, "line", { x1: this.x(time), x2: this.x(time), y1: 15, y2: 225, stroke: "#e8e8e8" });
       add(this.svg, "text", { x: this.x(time), y: 240, "text-anchor": "middle" }, number(time));
     }
-    add(this.svg, "text", { x: 425, y: 256, "text-anchor": "middle" }, "time (s)");
+    add(this.svg, "text", { x: 285, y: 256, "text-anchor": "middle" }, "time (s)");
     curves.forEach((curve, k) => {
       if (this.hidden.has(k)) return;
       let path = "", pen = "M";
