@@ -18,7 +18,7 @@ Dynamics<Dim>::Dynamics(Points& points, const DynamicsProblem<Dim>& problem)
   require_stable_choice(data_);
   start_affine(problem);
   data_.order.update(points);
-  if (problem.bodies.size() > 1) {
+  if (problem.bodies.size() > 1 || !problem.settings.contacts.empty()) {
     ContactGroups groups = contact_groups(data_, problem.bodies);
     described_contacts_ = described(groups);
     contacts_ = make_contacts(data_, problem.bodies, std::move(groups));
