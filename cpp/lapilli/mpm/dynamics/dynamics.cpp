@@ -63,6 +63,9 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   if (data_.settings.stress_update == StressUpdate::musl) {
     velocities = update_velocities(data_, step.size);
     divide_second_velocity(data_);
+    if (contacts_) {
+      contacts_->push_second(data_, step.size);
+    }
     hold_second_velocity(data_);
   }
   PointSums sums = update_points(data_, step.size);

@@ -22,28 +22,27 @@ BodyContacts<Dim>::BodyContacts(const DynamicsData<Dim>& data,
 
 /// Better impulses of the nodes of one pair at the present velocity.
 template <int Dim>
-void BodyContacts<Dim>::improve(DynamicsData<Dim>& data, double step, std::size_t pair) {
+void BodyContacts<Dim>::improve(const double* mass, double* const (&velocity)[Dim], double step,
+                                std::size_t pair, std::vector<Impulse>& all) {
   const std::span<SharedNode<Dim>> nodes = shared_.of(pair);
   if (nodes.empty()) {
     return;
   }
   const ContactLaw& law = groups_.laws[pair];
-  Impulse* impulses = impulses_.data() + (nodes.data() - shared_.all().data());
-  const double* mass = data.nodes.mass();
+  Impulse* impulses = all.data() + (nodes.data() - shared_.all().data());
   parallel_for(static_cast<Index>(nodes.size()), [&](Index k) {
     const SharedNode<Dim>& node = nodes[k];
     Impulse& impulse = impulses[k];
-    Vec<Dim> closing;
+    Vec<Dim> apart;
     for (int axis = 0; axis < Dim; ++axis) {
-      const double* velocity = data.nodes.velocity(axis);
-      closing[axis] = velocity[node.second] - velocity[node.first];
+      apart[axis] = velocity[axis][node.second] - velocity[axis][node.first];
     }
     const double m = 1.0 / (1.0 / mass[node.first] + 1.0 / mass[node.second]);
     const double bound = -std::max(0.0, node.gap) / step;
-    const double normal = closing.dot(node.normal);
+    const double normal = apart.dot(node.normal);
     const Impulse old = impulse;
     impulse.push = std::max(0.0, old.push + m * (bound - normal));
-    impulse.drag -= m * (closing - normal * node.normal);
+    impulse.drag -= m * (apart - normal * node.normal);
     const double grip = impulse.push > 0.0 ? law.adhesion * node.area * step : 0.0;
     const double limit = law.friction * impulse.push + grip, drag = impulse.drag.norm();
     if (drag > limit) {
@@ -51,30 +50,54 @@ void BodyContacts<Dim>::improve(DynamicsData<Dim>& data, double step, std::size_
     }
     const Vec<Dim> change = (impulse.push - old.push) * node.normal + impulse.drag - old.drag;
     for (int axis = 0; axis < Dim; ++axis) {
-      data.nodes.velocity(axis)[node.first] -= change[axis] / mass[node.first];
-      data.nodes.velocity(axis)[node.second] += change[axis] / mass[node.second];
+      velocity[axis][node.first] -= change[axis] / mass[node.first];
+      velocity[axis][node.second] += change[axis] / mass[node.second];
     }
   });
+}
+
+/// The impulses that a nodal velocity needs, added to it.
+template <int Dim>
+std::vector<typename BodyContacts<Dim>::Impulse> BodyContacts<Dim>::solve(
+    const double* mass, double* const (&velocity)[Dim], double step) {
+  std::vector<Impulse> impulses(shared_.all().size());
+  const bool crowded = shared_.touched().size() < 2 * shared_.all().size();
+  for (int sweep = 0; sweep < (crowded ? sweeps : 1); ++sweep) {
+    for (std::size_t pair = 0; pair < groups_.pairs.size(); ++pair) {
+      improve(mass, velocity, step, pair, impulses);
+    }
+  }
+  return impulses;
 }
 
 template <int Dim>
 void BodyContacts<Dim>::push(DynamicsData<Dim>& data, double step, NodeSums& sums) {
   shared_.find(data, groups_.pairs);
   const std::vector<Index>& touched = shared_.touched();
-  impulses_.assign(shared_.all().size(), {});
   before_.resize(touched.size());
-  for (std::size_t k = 0; k < touched.size(); ++k) {
-    for (int axis = 0; axis < Dim; ++axis) {
-      before_[k][axis] = data.nodes.velocity(axis)[touched[k]];
+  double *velocity[Dim], *strain_velocity[Dim];
+  for (int axis = 0; axis < Dim; ++axis) {
+    velocity[axis] = data.nodes.velocity(axis);
+    strain_velocity[axis] = data.nodes.strain_velocity(axis);
+    for (std::size_t k = 0; k < touched.size(); ++k) {
+      before_[k][axis] = velocity[axis][touched[k]];
     }
   }
-  const bool crowded = touched.size() < 2 * shared_.all().size();
-  for (int sweep = 0; sweep < (crowded ? sweeps : 1); ++sweep) {
-    for (std::size_t pair = 0; pair < groups_.pairs.size(); ++pair) {
-      improve(data, step, pair);
-    }
+  impulses_ = solve(data.nodes.mass(), velocity, step);
+  if (data.nodes.limits_strain()) {
+    // Light nodes strain with part of the force; the impulse against the whole of it is too much.
+    solve(data.nodes.mass(), strain_velocity, step);
   }
   book(data, step, sums);
+}
+
+template <int Dim>
+void BodyContacts<Dim>::push_second(DynamicsData<Dim>& data, double step) {
+  double* velocity[Dim];
+  for (int axis = 0; axis < Dim; ++axis) {
+    velocity[axis] = data.nodes.second_velocity(axis);
+  }
+  solve(data.nodes.mass(), velocity, step);
 }
 
 /// What the impulses did: they work on the mean of the velocities before and after the step.
@@ -116,9 +139,6 @@ void BodyContacts<Dim>::book(DynamicsData<Dim>& data, double step, NodeSums& sum
       sums.kinetic_after += mass[node] * change * (before_[k][axis] + 0.5 * change);
       sums.force_work += 0.5 * mass[node] * (increment - step * data.gravity[axis]) * change;
       increment += change;
-      if (data.nodes.limits_strain()) {
-        data.nodes.strain_velocity(axis)[node] += change;
-      }
     }
   }
 }

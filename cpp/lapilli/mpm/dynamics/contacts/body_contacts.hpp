@@ -25,6 +25,9 @@ class BodyContacts {
   /// velocity and increment of the nodes, and the sums.
   void push(DynamicsData<Dim>& data, double step, NodeSums& sums);
 
+  /// The same on the velocity projected again (MUSL), which only strains: books nothing.
+  void push_second(DynamicsData<Dim>& data, double step);
+
   double friction() const { return friction_; }  // J, lost since the start (negative)
   double impact() const { return impact_; }      // J, the same across the surfaces
   std::vector<std::pair<std::string, double>> diagnostics() const;
@@ -38,7 +41,9 @@ class BodyContacts {
     Vec<Dim> drag = Vec<Dim>::Zero();  // N s, along the surface
   };
 
-  void improve(DynamicsData<Dim>& data, double step, std::size_t pair);
+  void improve(const double* mass, double* const (&velocity)[Dim], double step, std::size_t pair,
+               std::vector<Impulse>& all);
+  std::vector<Impulse> solve(const double* mass, double* const (&velocity)[Dim], double step);
   void book(DynamicsData<Dim>& data, double step, NodeSums& sums);
 
   ContactGroups groups_;
