@@ -64,7 +64,7 @@ DynamicsBody moving(const Vec<Dim>& velocity, const char* name) {
 /// What a meeting of two balls is made of.
 struct Meeting {
   double radius = 5.0, speed = 0.02, degrees = 0.0, gap = 1.0, aside = 0.0, friction = 0.0;
-  bool wall = false;  // one ball and a slippery wall
+  bool wall = false;  // one ball and the slippery face x = 0 of the grid
   Vec3 offset{0.13, 0.29, 0.17}, frame = Vec3::Zero();
   VelocityTransfer transfer = VelocityTransfer::blended_apic;
   ShapeFunction shape = ShapeFunction::gimp;
@@ -84,12 +84,7 @@ struct Balls {
     const Vec<Dim> frame = v * m.frame.head<Dim>();
     for (int side : {-1, 1}) {
       if (m.wall && side > 0) {
-        Obstacle wall;
-        wall.contact = ObstacleContact::slip;
-        const Vec<Dim> at = m.offset.head<Dim>(), out = -along;
-        wall.shape = HalfSpace{{at.data(), at.data() + Dim}, {out.data(), out.data() + Dim}};
-        wall.velocity = {frame.data(), frame.data() + Dim};
-        run.problem.settings.obstacles = {wall};
+        run.frictional(0, 1, 0.0);
         break;
       }
       const Vec<Dim> center = m.offset.head<Dim>() + side * (m.radius + m.gap / 2) * along +
@@ -106,7 +101,9 @@ struct Balls {
 
   static Grid<Dim> room(const Meeting& m) {
     const double far = std::ceil(2 * m.radius + 5 + 0.3 * m.frame.norm() * m.radius);
-    return Grid<Dim>(Vec<Dim>::Constant(-far), Vec<Dim>::Constant(far), 1.0);
+    Vec<Dim> upper = Vec<Dim>::Constant(far);
+    upper[0] = m.wall ? 0.0 : far;
+    return Grid<Dim>(Vec<Dim>::Constant(-far), upper, 1.0);
   }
 
   void meet(int threads = 1) {

@@ -91,13 +91,38 @@ void BodyContacts<Dim>::push(DynamicsData<Dim>& data, double step, NodeSums& sum
   book(data, step, sums);
 }
 
+/// Where bodies press, their strains are those of one: the velocity across is that of the solved
+/// nodes, whatever its sign, and that along too where friction holds.
 template <int Dim>
 void BodyContacts<Dim>::push_second(DynamicsData<Dim>& data, double step) {
-  double* velocity[Dim];
-  for (int axis = 0; axis < Dim; ++axis) {
-    velocity[axis] = data.nodes.second_velocity(axis);
+  const double* mass = data.nodes.mass();
+  for (std::size_t pair = 0; pair < groups_.pairs.size(); ++pair) {
+    const ContactLaw& law = groups_.laws[pair];
+    for (const SharedNode<Dim>& node : shared_.of(pair)) {
+      const Impulse& impulse = impulses_[&node - shared_.all().data()];
+      if (impulse.push == 0.0) {
+        continue;
+      }
+      Vec<Dim> apart;
+      for (int axis = 0; axis < Dim; ++axis) {
+        const double* velocity = data.nodes.second_velocity(axis);
+        apart[axis] = velocity[node.second] - velocity[node.first];
+      }
+      const double limit = law.friction * impulse.push + law.adhesion * node.area * step;
+      const bool holds = impulse.drag.norm() < (1.0 - 1e-9) * limit;
+      const double across = apart.dot(node.normal);
+      Vec<Dim> change = -(std::max(0.0, node.gap) / step + across) * node.normal;
+      if (holds) {
+        change -= apart - across * node.normal;
+      }
+      change /= 1.0 / mass[node.first] + 1.0 / mass[node.second];
+      for (int axis = 0; axis < Dim; ++axis) {
+        double* velocity = data.nodes.second_velocity(axis);
+        velocity[node.first] -= change[axis] / mass[node.first];
+        velocity[node.second] += change[axis] / mass[node.second];
+      }
+    }
   }
-  solve(data.nodes.mass(), velocity, step);
 }
 
 /// What the impulses did: they work on the mean of the velocities before and after the step.

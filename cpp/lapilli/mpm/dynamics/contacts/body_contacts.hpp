@@ -25,7 +25,7 @@ class BodyContacts {
   /// velocity and increment of the nodes, and the sums.
   void push(DynamicsData<Dim>& data, double step, NodeSums& sums);
 
-  /// The same on the velocity projected again (MUSL), which only strains: books nothing.
+  /// What that means for the velocity projected again (MUSL), which only strains: books nothing.
   void push_second(DynamicsData<Dim>& data, double step);
 
   double friction() const { return friction_; }  // J, lost since the start (negative)
