@@ -60,7 +60,7 @@ ELSEWHERE: dict[str, str] = {
     "Obstacle": "tests/cpp/dynamics/test_obstacles.cpp",
     "Dynamics.obstacles": "the keys of Obstacle",
     "Dynamics.contacts": "the keys of BodyContact",
-    "BodyContact.bodies": "tests/cpp/dynamics/test_contacts.cpp",
+    "BodyContact.bodies": "tests/cpp/dynamics/test_contact_groups.cpp",
     "Dynamics.grid_boundaries": "the keys of each grid boundary",
     "Dynamics.boundaries": "the keys of each load",
     "Newtonian.density": "one number with that of the thermal material, which must agree",
