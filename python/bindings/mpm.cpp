@@ -29,6 +29,8 @@ void bind_mpm(py::module_& module) {
       "along with Coulomb friction.");
   bind_struct<Obstacle>(module, "Obstacle",
                         "A rigid obstacle of any shape, at rest or with a prescribed motion.");
+  bind_struct<BodyContact>(module, "BodyContact",
+                           "What one pair of bodies, or every other pair, does where it meets.");
   bind_struct<Pressure>(module, "Pressure", "A pressure on a free surface.");
   bind_struct<Traction>(module, "Traction", "A force per area of a free surface.");
   bind_struct<DynamicsSettings>(module, "Dynamics",

@@ -8,7 +8,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['Annulus', 'Balance', 'Body', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeightField', 'Image', 'Intersection', 'Mesh', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify']
+__all__: list[str] = ['Annulus', 'Balance', 'Body', 'BodyContact', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeightField', 'Image', 'Intersection', 'Mesh', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -1788,6 +1788,67 @@ class Obstacle:
     @velocity.setter
     def velocity(self, value: collections.abc.Sequence[float]) -> None:
         ...
+class BodyContact:
+    """
+    What one pair of bodies, or every other pair, does where it meets.
+    
+    Parameters
+    ----------
+    bodies : collections.abc.Sequence[str], default ()
+        names of the two bodies; empty: every pair that no other entry names
+    contact : typing.Literal['frictional', 'bonded'], default 'frictional'
+        frictional: parts and slides; bonded: one body, tension included
+    friction : float, default 0.0
+        coefficient of Coulomb friction, of frictional; at least 0
+    adhesion : float, Pa, default 0.0
+        shear it bears beyond friction; at least 0 (Pa)
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, bodies: collections.abc.Sequence[str] = ..., contact: typing.Literal['frictional', 'bonded'] = ..., friction: float = ..., adhesion: float = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def adhesion(self) -> float:
+        """
+        shear it bears beyond friction, Pa
+        """
+    @adhesion.setter
+    def adhesion(self, value: float) -> None:
+        ...
+    @property
+    def bodies(self) -> collections.abc.Sequence[str]:
+        """
+        names of the two bodies; empty: every pair that no other entry names
+        """
+    @bodies.setter
+    def bodies(self, value: collections.abc.Sequence[str]) -> None:
+        ...
+    @property
+    def contact(self) -> typing.Literal['frictional', 'bonded']:
+        """
+        frictional: parts and slides; bonded: one body, tension included
+        """
+    @contact.setter
+    def contact(self, value: typing.Literal['frictional', 'bonded']) -> None:
+        ...
+    @property
+    def friction(self) -> float:
+        """
+        coefficient of Coulomb friction, of frictional
+        """
+    @friction.setter
+    def friction(self, value: float) -> None:
+        ...
 class Pressure:
     """
     A pressure on a free surface.
@@ -1922,6 +1983,8 @@ class Dynamics:
         faces of the grid that hold the material; others are open
     obstacles : list[Obstacle], default []
         rigid shapes that material cannot enter, at rest or moving
+    contacts : list[BodyContact], default []
+        what pairs of bodies do where they meet; others: see the manual
     boundaries : list[Pressure | Traction], default []
         loads on free surfaces; the first region that covers a place wins
     """
@@ -1931,7 +1994,7 @@ class Dynamics:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., transfer: typing.Literal['blended_apic', 'flip', 'apic', 'tpic'] = ..., blend_rate: float = ..., pic_fraction: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., courant: float = ..., grid_boundaries: list[NoSlipBoundary | RollerBoundary | FrictionalBoundary] = ..., obstacles: list[Obstacle] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
+    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., transfer: typing.Literal['blended_apic', 'flip', 'apic', 'tpic'] = ..., blend_rate: float = ..., pic_fraction: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., courant: float = ..., grid_boundaries: list[NoSlipBoundary | RollerBoundary | FrictionalBoundary] = ..., obstacles: list[Obstacle] = ..., contacts: list[BodyContact] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -1954,6 +2017,14 @@ class Dynamics:
         """
     @boundaries.setter
     def boundaries(self, value: list[Pressure | Traction]) -> None:
+        ...
+    @property
+    def contacts(self) -> list[BodyContact]:
+        """
+        what pairs of bodies do where they meet; others: see the manual
+        """
+    @contacts.setter
+    def contacts(self, value: list[BodyContact]) -> None:
         ...
     @property
     def courant(self) -> float:

@@ -8,6 +8,7 @@
 
 #include "lapilli/core/memory.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/dynamics/contacts/describes_contacts.hpp"
 #include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/body_volumes.hpp"
@@ -199,10 +200,17 @@ void describe_dynamics(const Scene& scene, CheckReport& report) {
     report.notes.push_back(warning);
   }
   describe_transfer(scene, report);
-  for (const char* absent : {"hardening", "pore pressure",
-                             "contact between bodies other than "
-                             "through common nodes"}) {
+  for (const char* absent : {"hardening", "pore pressure"}) {
     report.not_modelled.push_back(absent);
+  }
+}
+
+// Which bodies are one and which meet is known once they are built.
+void describe_contacts(const Simulation& simulation, CheckReport& report) {
+  for (const auto& physics : simulation.physics()) {
+    if (const auto* moving = dynamic_cast<const DescribesContacts*>(physics.get())) {
+      std::ranges::copy(moving->contacts(), std::back_inserter(report.modelled));
+    }
   }
 }
 
@@ -312,6 +320,7 @@ CheckReport check(const Scene& scene) {
   describe_grid(scene, report);
   describe_bodies(scene, *simulation, report);
   describe_physics(scene, report);
+  describe_contacts(*simulation, report);
   for (const std::string& note : unused_settings(scene)) {
     report.notes.push_back(note);
   }

@@ -59,6 +59,8 @@ ELSEWHERE: dict[str, str] = {
     "MohrCoulomb.density": "one number with that of the thermal material; read as that of Elastic",
     "Obstacle": "tests/cpp/dynamics/test_obstacles.cpp",
     "Dynamics.obstacles": "the keys of Obstacle",
+    "Dynamics.contacts": "the keys of BodyContact",
+    "BodyContact.bodies": "tests/cpp/dynamics/test_contact_groups.cpp",
     "Dynamics.grid_boundaries": "the keys of each grid boundary",
     "Dynamics.boundaries": "the keys of each load",
     "Newtonian.density": "one number with that of the thermal material, which must agree",

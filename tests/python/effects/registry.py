@@ -180,6 +180,20 @@ EFFECTS: dict[str, Effect] = {
     ),
     "Dynamics.stress_update": Effect(F, "dynamics.stress_update", "musl", "usl", VELOCITY, "!="),
     "Dynamics.courant": Effect(F, "dynamics.courant", 0.5, 0.25, step_size, "x", 0.5, steps=False),
+    "BodyContact.contact": Effect(
+        scenes.sliding_block,
+        "dynamics.contacts[0].contact",
+        "frictional",
+        "bonded",
+        centre(0),
+        "<",
+    ),
+    "BodyContact.friction": Effect(
+        scenes.sliding_block, "dynamics.contacts[0].friction", 0.0, 0.5, centre(0), "<"
+    ),
+    "BodyContact.adhesion": Effect(
+        scenes.sliding_block, "dynamics.contacts[0].adhesion", 0.0, 1e3, centre(0), "<"
+    ),
     "FrictionalBoundary.coefficient": Effect(
         F,
         "dynamics.grid_boundaries[0].coefficient",

@@ -37,6 +37,25 @@ def sliding_disk() -> lp.Scene:
     return scene
 
 
+def sliding_block(**contact: object) -> lp.Scene:
+    """An elastic block that slides on another."""
+    solid = lp.Elastic(density=1000, youngs_modulus=1e5, poissons_ratio=0.3)
+    low, high = lp.Box(lower=(0.5, 0), upper=(3.5, 0.5)), lp.Box(lower=(1, 0.5), upper=(2, 1))
+    return lp.Scene(
+        grid=lp.Grid(lower=(0, 0), upper=(4, 2), cell=0.25),
+        bodies=[
+            lp.Body(name="base", shape=low, material=solid),
+            lp.Body(name="block", shape=high, material=solid, velocity=(0.5, -0.1)),
+        ],
+        dynamics=lp.Dynamics(
+            gravity=(0, -10),
+            grid_boundaries=[lp.NoSlipBoundary(face="y_lower")],
+            contacts=[lp.BodyContact(**contact)],
+        ),
+        time=lp.Time(end=0.1),
+    )
+
+
 def falling_block(**momentum: object) -> lp.Scene:
     """An elastic block that hits a wall."""
     settings = {

@@ -18,6 +18,11 @@ Dynamics<Dim>::Dynamics(Points& points, const DynamicsProblem<Dim>& problem)
   require_stable_choice(data_);
   start_affine(problem);
   data_.order.update(points);
+  if (problem.bodies.size() > 1 || !problem.settings.contacts.empty()) {
+    ContactGroups groups = contact_groups(data_, problem.bodies);
+    described_contacts_ = described(groups);
+    contacts_ = make_contacts(data_, problem.bodies, std::move(groups));
+  }
   if (!problem.settings.boundaries.empty()) {
     loads_ = std::make_unique<SurfaceLoads<Dim>>(data_, problem);
   }
@@ -58,6 +63,9 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   if (data_.settings.stress_update == StressUpdate::musl) {
     velocities = update_velocities(data_, step.size);
     divide_second_velocity(data_);
+    if (contacts_) {
+      contacts_->push_second(data_, step.size);
+    }
     hold_second_velocity(data_);
   }
   PointSums sums = update_points(data_, step.size);
@@ -88,10 +96,14 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   return {.accepted = step.size};
 }
 
-/// Forces, then obstacles, then walls, which have the last word at the nodes they share.
+/// Forces, then other bodies, then obstacles, then walls, which have the last word at the nodes
+/// they share.
 template <int Dim>
 NodeSums Dynamics<Dim>::solve_nodes(const Step& step) {
   NodeSums sums = accelerate_nodes(data_, step.size);
+  if (contacts_) {
+    contacts_->push(data_, step.size, sums);
+  }
   if (obstacles_) {
     obstacles_->push(data_, step, speed_, sums);
   }
@@ -122,6 +134,7 @@ void Dynamics<Dim>::keep_order(double step) {
   const bool far = drift_ + step * speed_ > 0.5 * data_.grid.cell_size();
   if (far) {
     data_.order.sort(data_.points);
+    data_.fields.place(data_.points);
     drift_ = 0.0;
   } else if (ordering_ != data_.points.ordering()) {
     data_.order.update(data_.points);
@@ -151,7 +164,8 @@ void Dynamics<Dim>::stop_if_broken(const PointSums& sums) const {
 /// that answers it: what that is worth is no gain.
 template <int Dim>
 double Dynamics<Dim>::energy_gained() const {
-  return -(flows_.transfer + flows_.strain + flows_.friction + flows_.impact + ahead_);
+  const double contact = contacts_ ? contacts_->friction() + contacts_->impact() : 0.0;
+  return contact - (flows_.transfer + flows_.strain + flows_.friction + flows_.impact + ahead_);
 }
 
 template <int Dim>

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "lapilli/core/warnings.hpp"
+#include "lapilli/mpm/dynamics/contacts/body_contacts.hpp"
+#include "lapilli/mpm/dynamics/contacts/describes_contacts.hpp"
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
 #include "lapilli/mpm/dynamics/energy_watch.hpp"
 #include "lapilli/mpm/dynamics/obstacles/obstacles.hpp"
@@ -15,7 +17,10 @@ namespace lapilli {
 /// Explicit dynamics balance of material points in plane strain (Dim = 2, per metre of depth) or
 /// space. Owns velocity and stress, and moves the points.
 template <int Dim>
-class Dynamics final : public Physics, public HasSurface, public Warnings {
+class Dynamics final : public Physics,
+                       public HasSurface,
+                       public Warnings,
+                       public DescribesContacts {
  public:
   /// Throws std::invalid_argument for settings, materials or points out of range.
   Dynamics(Points& points, const DynamicsProblem<Dim>& problem);
@@ -32,6 +37,7 @@ class Dynamics final : public Physics, public HasSurface, public Warnings {
   std::vector<std::pair<std::string, double>> diagnostics() const override;
   /// Settings that make the answer depend on the numerics.
   std::vector<std::string> warnings() const override { return lapilli::warnings(data_.settings); }
+  std::vector<std::string> contacts() const override { return described_contacts_; }
 
   // Handles for other physics. Asking for one allocates it; call before the first step.
 
@@ -73,8 +79,10 @@ class Dynamics final : public Physics, public HasSurface, public Warnings {
   Vec3 linear_momentum() const;
 
   DynamicsData<Dim> data_;
-  std::unique_ptr<SurfaceLoads<Dim>> loads_;   // null without boundaries
-  std::unique_ptr<Obstacles<Dim>> obstacles_;  // null without any
+  std::unique_ptr<SurfaceLoads<Dim>> loads_;     // null without boundaries
+  std::unique_ptr<Obstacles<Dim>> obstacles_;    // null without any
+  std::unique_ptr<BodyContacts<Dim>> contacts_;  // null where all bodies are one
+  std::vector<std::string> described_contacts_;
   Flows flows_;
   EnergyWatch watch_;
   double total_mass_ = 0.0;

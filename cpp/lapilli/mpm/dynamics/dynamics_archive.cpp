@@ -38,6 +38,10 @@ void Dynamics<Dim>::save(Archive& archive) const {
   if (obstacles_) {
     obstacles_->save(archive, "dynamics/obstacles");
   }
+  if (contacts_) {
+    data_.fields.save(archive, "dynamics/fields");
+    contacts_->save(archive, "dynamics/contacts");
+  }
   const double numbers[] = {
       flows_.plastic,      flows_.friction, flows_.strain,    flows_.impact,
       flows_.transfer,     initial_energy_, kinetic_,         speed_,
@@ -83,6 +87,10 @@ void Dynamics<Dim>::load(const Archive& archive) {
   }
   if (obstacles_) {
     obstacles_->load(archive, "dynamics/obstacles");
+  }
+  if (contacts_) {
+    data_.fields.load(archive, "dynamics/fields");
+    contacts_->load(archive, "dynamics/contacts");
   }
   double numbers[17];
   archive.read("dynamics/account", std::span<double>(numbers));

@@ -133,6 +133,10 @@ std::vector<Balance> Dynamics<Dim>::balances() const {
   if (obstacles_) {
     std::ranges::copy(obstacles_->work_entries(), std::back_inserter(all.back().entries));
   }
+  if (contacts_) {
+    all.back().entries.push_back({"contact friction", contacts_->friction()});
+    all.back().entries.push_back({"contact impact", contacts_->impact()});
+  }
   const Vec3 now = linear_momentum();
   for (int axis = 0; axis < Dim; ++axis) {
     all.push_back({momentum_names[axis],
@@ -171,6 +175,9 @@ std::vector<std::pair<std::string, double>> Dynamics<Dim>::diagnostics() const {
                                                   {"load work", loads_ ? loads_->work() : 0.0}};
   if (obstacles_) {
     std::ranges::copy(obstacles_->diagnostics(), std::back_inserter(all));
+  }
+  if (contacts_) {
+    std::ranges::copy(contacts_->diagnostics(), std::back_inserter(all));
   }
   return all;
 }

@@ -18,13 +18,26 @@ DynamicsNodes<Dim>::DynamicsNodes(const Grid<Dim>& grid, ShapeFunction shape,
   const int always = 1 + (settings.stress_update == StressUpdate::musl ? 3 : 2) * Dim;
   limited_ = limits_strain_ ? always : 1;
   faded_ = always + (limits_strain_ ? Dim : 0);
-  const int arrays = faded_ + (fades_ ? Dim + 1 : 0);
-  values_.assign(static_cast<std::size_t>(size_ * arrays), 0.0);
+  arrays_ = faded_ + (fades_ ? Dim + 1 : 0);
+  values_.assign(static_cast<std::size_t>(size_ * arrays_), 0.0);
 }
 
 template <int Dim>
 void DynamicsNodes<Dim>::clear(std::pair<int, int> layers) {
-  const Index first = layers.first * layer_, last = layers.second * layer_;
+  clear_range(layers.first * layer_, layers.second * layer_);
+}
+
+template <int Dim>
+void DynamicsNodes<Dim>::clear(Index count) {
+  if (count + 4 > size_) {
+    size_ = count + count / 4 + 4;  // windows grow and shrink
+    values_.assign(static_cast<std::size_t>(size_ * arrays_), 0.0);
+  }
+  clear_range(0, count);
+}
+
+template <int Dim>
+void DynamicsNodes<Dim>::clear_range(Index first, Index last) {
   const Index from = first_ < last_ ? std::min(first_, first) : first, to = std::max(last_, last);
   parallel_ranges(to - from, [&](Index begin, Index end) {
     for (int which = 0; which < 1 + 2 * Dim; ++which) {
@@ -67,6 +80,7 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
       velocity(of_points, Dim),
       stress(of_points, stress_components),
       order(problem.grid, problem.shape == ShapeFunction::linear ? 2 : 3),
+      fields(problem.grid),
       nodes(problem.grid, problem.shape, problem.settings) {
   check(settings, Dim);
   std::copy(settings.gravity.begin(), settings.gravity.end(), gravity.data());
@@ -117,6 +131,15 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
       std::copy(start.components.begin(), start.components.begin() + stress_components,
                 stress.data() + row * stress_components);
     }
+  }
+}
+
+template <int Dim>
+void DynamicsData<Dim>::clear_nodes() {
+  if (fields.is_single()) {
+    nodes.clear(order.node_layers());
+  } else {
+    nodes.clear(fields.node_count());
   }
 }
 

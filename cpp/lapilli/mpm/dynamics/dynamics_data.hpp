@@ -6,6 +6,7 @@
 #include "lapilli/core/points.hpp"
 #include "lapilli/mpm/dynamics/dynamics_problem.hpp"
 #include "lapilli/mpm/dynamics/grid_boundaries.hpp"
+#include "lapilli/mpm/dynamics/node_fields.hpp"
 #include "lapilli/mpm/dynamics/stress_update.hpp"
 #include "lapilli/mpm/transfer/cell_order.hpp"
 
@@ -43,16 +44,20 @@ class DynamicsNodes {
 
   /// First and one-past-last node that points may touch, and zero what was projected there before.
   void clear(std::pair<int, int> layers);
+  /// The same for nodes counted over several fields; makes room for them.
+  void clear(Index count);
   /// Zero the second velocity alone.
   void clear_second_velocity();
   Index first() const { return first_; }
   Index last() const { return last_; }
 
  private:
+  void clear_range(Index first, Index last);
   double* array(int which) { return values_.data() + which * size_; }
   const double* array(int which) const { return values_.data() + which * size_; }
 
   bool limits_strain_, fades_;
+  int arrays_;
   int limited_;  // first array of the strain velocity
   int faded_;    // first array of the gain
   Index size_;   // of one array, with room for a quad past the last node
@@ -67,6 +72,13 @@ struct DynamicsData {
   static constexpr int stress_components = Dim == 2 ? 4 : 6;
 
   DynamicsData(Points& of_points, const DynamicsProblem<Dim>& problem);
+
+  /// Zero what is projected to the nodes of all fields.
+  void clear_nodes();
+  /// Call action(node, share) for the nodes of all fields at a node of the whole grid, each with
+  /// its share of their mass.
+  template <class Action>
+  void for_each_share(Index node, const Action& action) const;
 
   Grid<Dim> grid;
   ShapeFunction shape;
@@ -89,8 +101,29 @@ struct DynamicsData {
   double empty_node = 0.0;                  // kg; what lighter nodes could move is lost in rounding
   bool moves_with_mean = false;  // of the velocities before and after a step, not with the latter
   CellOrder<Dim> order;
+  NodeFields<Dim> fields;
   DynamicsNodes<Dim> nodes;
 };
+
+template <int Dim>
+template <class Action>
+void DynamicsData<Dim>::for_each_share(Index node, const Action& action) const {
+  if (fields.is_single()) {
+    action(node, 1.0);
+    return;
+  }
+  double total = 0.0;
+  for (int field = 0; field < fields.count(); ++field) {
+    const Index here = fields.node_in(field, node);
+    total += here < 0 ? 0.0 : nodes.mass()[here];
+  }
+  for (int field = 0; field < fields.count(); ++field) {
+    const Index here = fields.node_in(field, node);
+    if (here >= 0 && nodes.mass()[here] > empty_node) {
+      action(here, nodes.mass()[here] / total);
+    }
+  }
+}
 
 /// Mass of a cell full of the lightest material, kg.
 template <int Dim>

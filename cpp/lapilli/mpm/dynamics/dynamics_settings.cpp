@@ -49,6 +49,9 @@ void check(const DynamicsSettings& settings, int dimension) {
   for (std::size_t k = 0; k < settings.obstacles.size(); ++k) {
     check(settings.obstacles[k], dimension, static_cast<int>(k));
   }
+  for (std::size_t k = 0; k < settings.contacts.size(); ++k) {
+    check(settings.contacts[k], static_cast<int>(k));
+  }
   for (const DynamicsBoundary& law : settings.boundaries) {
     if (const auto* traction = std::get_if<Traction>(&law)) {
       check_vector(traction->value, dimension, "dynamics.boundaries: the value of a traction");

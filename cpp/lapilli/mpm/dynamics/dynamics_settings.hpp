@@ -9,6 +9,7 @@
 #include "lapilli/core/describe.hpp"
 #include "lapilli/core/value.hpp"
 #include "lapilli/geometry/shape.hpp"
+#include "lapilli/mpm/dynamics/contacts/body_contact.hpp"
 #include "lapilli/mpm/dynamics/obstacles/obstacle.hpp"
 
 namespace lapilli {
@@ -140,6 +141,7 @@ struct DynamicsSettings {
   double courant = 0.5;  // automatic step over h / (wave speed + point speed), in (0, 1]
   std::vector<GridBoundary> grid_boundaries;
   std::vector<Obstacle> obstacles;
+  std::vector<BodyContact> contacts;
   std::vector<DynamicsBoundary> boundaries;
 
   template <class Self, class Visitor>
@@ -166,6 +168,8 @@ struct DynamicsSettings {
           self.grid_boundaries);
     visit(Key("obstacles").text("rigid shapes that material cannot enter, at rest or moving"),
           self.obstacles);
+    visit(Key("contacts").text("what pairs of bodies do where they meet; others: see the manual"),
+          self.contacts);
     visit(
         Key("boundaries").text("loads on free surfaces; the first region that covers a place wins"),
         self.boundaries);

@@ -15,8 +15,9 @@ constexpr int stress_index(int i, int j) {
 }
 
 template <int Dim, class Shape, VelocityTransfer transfer>
-void project_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil, double step,
-                  Index begin, Index end) {
+void project_rows(DynamicsData<Dim>& data, const NodeField<Dim>& field, double step, Index begin,
+                  Index end) {
+  const Stencil<Dim, Shape> stencil(field.grid);
   constexpr bool fades = transfer == VelocityTransfer::blended_apic;
   constexpr int arrays = 1 + 2 * Dim + (fades ? 1 : 0),
                 components = DynamicsData<Dim>::stress_components;
@@ -31,7 +32,8 @@ void project_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil, d
   }
   CellSums<Dim, Shape, arrays> sums(stencil, to);
   const ShapeOfBody<Shape> shape_of(data.half_widths);
-  const Grid<Dim> grid = data.grid;
+  const Grid<Dim> grid = field.grid;
+  const Index offset = field.offset;
   const double h = grid.cell_size();
   double* position = data.points.position().data();
   const double* volume = data.points.volume().data();
@@ -45,7 +47,7 @@ void project_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil, d
     if constexpr (is_affine<transfer, Shape>) {
       move.drift(position + row * Dim, carried + row * Dim);
     }
-    const AxisWeights<Dim, Shape> axes(grid, shape_of(body[row]), position + row * Dim);
+    const AxisWeights<Dim, Shape> axes(grid, shape_of(body[row]), position + row * Dim, offset);
     const SimdWeights<Dim, Shape> w(axes.value, axes.slope);
     sums.move_to(axes.first);
     for (int q = 0; q < quads; ++q) {
@@ -79,11 +81,13 @@ void project_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil, d
 
 template <int Dim>
 void project_to_grid(DynamicsData<Dim>& data, double step) {
-  data.nodes.clear(data.order.node_layers());
+  data.clear_nodes();
   with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
-    const Stencil<Dim, Shape> stencil(data.grid);
+    const auto project = [&](const NodeField<Dim>& field, Index begin, Index end) {
+      project_rows<Dim, Shape, transfer>(data, field, step, begin, end);
+    };
     data.order.for_each_strip([&](Index begin, Index end) {
-      project_rows<Dim, Shape, transfer>(data, stencil, step, begin, end);
+      data.fields.for_each_run(data.points.body().data(), begin, end, project);
     });
   });
 }

@@ -17,8 +17,9 @@ constexpr double light_share = 0.1;
 /// Call body(node, axis, wall, inward) for every node on or outside of a wall that carries mass,
 /// wall by wall in a fixed order.
 template <int Dim, class Body>
-void for_each_wall_node(const DynamicsData<Dim>& data, const Body& body) {
-  const Grid<Dim>& grid = data.grid;
+void for_each_wall_node(const DynamicsData<Dim>& data, const NodeField<Dim>& field,
+                        const Body& body) {
+  const Grid<Dim>& grid = field.grid;
   const double* mass = data.nodes.mass();
   for (int axis = 0; axis < Dim; ++axis) {
     for (int side = 0; side < 2; ++side) {
@@ -27,11 +28,15 @@ void for_each_wall_node(const DynamicsData<Dim>& data, const Body& body) {
         continue;
       }
       const int padding = Grid<Dim>::padding;
-      const int face = side == 0 ? padding : grid.nodes(axis) - 1 - padding;
+      const int face =
+          (side == 0 ? padding : data.grid.nodes(axis) - 1 - padding) - field.corner[axis];
       for (int layer : {face, side == 0 ? face - 1 : face + 1}) {
+        if (layer < 0 || layer >= grid.nodes(axis)) {
+          continue;
+        }
         const Index stride = grid.node_stride(axis);
         const Index block = stride * grid.nodes(axis);
-        for (Index start = layer * stride; start < grid.node_count(); start += block) {
+        for (Index start = field.offset + layer * stride; start < field.end(); start += block) {
           const Index from = std::max(start, data.nodes.first());
           const Index to = std::min(start + stride, data.nodes.last());
           for (Index node = from; node < to; ++node) {
@@ -42,6 +47,13 @@ void for_each_wall_node(const DynamicsData<Dim>& data, const Body& body) {
         }
       }
     }
+  }
+}
+
+template <int Dim, class Body>
+void for_each_wall_node(const DynamicsData<Dim>& data, const Body& body) {
+  for (int field = 0; field < data.fields.count(); ++field) {
+    for_each_wall_node(data, data.fields[field], body);
   }
 }
 

@@ -16,9 +16,10 @@ template <int Dim, class Shape>
 struct AxisWeights {
   static constexpr int support = Shape::support;
 
-  AxisWeights(const Grid<Dim>& grid, const Shape& shape, const double* position) {
+  /// `offset`: of the first node of this grid in the nodal arrays.
+  AxisWeights(const Grid<Dim>& grid, const Shape& shape, const double* position, Index offset = 0) {
     const double scale = grid.inverse_cell_size();
-    first = 0;
+    first = offset;
     for (int axis = 0; axis < Dim; ++axis) {
       at[axis] = (position[axis] - grid.origin()[axis]) * scale;
       base[axis] = Shape::base(at[axis]);

@@ -163,9 +163,11 @@ void SurfaceLoads<Dim>::add_forces(DynamicsData<Dim>& data, double time) {
       } else {
         n.force[k] = -n.value[k] * n.area_vector[k];
       }
-      for (int axis = 0; axis < Dim; ++axis) {
-        data.nodes.increment(axis)[n.node[k]] += n.force[k][axis];
-      }
+      data.for_each_share(n.node[k], [&](Index node, double share) {
+        for (int axis = 0; axis < Dim; ++axis) {
+          data.nodes.increment(axis)[node] += share * n.force[k][axis];
+        }
+      });
     }
   }
 }
@@ -175,12 +177,14 @@ void SurfaceLoads<Dim>::book(const DynamicsData<Dim>& data, double step) {
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     const Nodes& n = nodes_[law];
     for (std::size_t k = 0; k < n.node.size(); ++k) {
-      for (int axis = 0; axis < Dim; ++axis) {
-        const double middle =
-            data.nodes.velocity(axis)[n.node[k]] - 0.5 * data.nodes.increment(axis)[n.node[k]];
-        work_[law] += step * n.force[k][axis] * middle;
-        impulse_[law][axis] += step * n.force[k][axis];
-      }
+      data.for_each_share(n.node[k], [&](Index node, double share) {
+        for (int axis = 0; axis < Dim; ++axis) {
+          const double middle =
+              data.nodes.velocity(axis)[node] - 0.5 * data.nodes.increment(axis)[node];
+          work_[law] += step * share * n.force[k][axis] * middle;
+          impulse_[law][axis] += step * share * n.force[k][axis];
+        }
+      });
     }
   }
 }

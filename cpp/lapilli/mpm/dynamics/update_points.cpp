@@ -75,11 +75,13 @@ void deform_block(DynamicsData<Dim>& data, const DeformationBlock<Dim>& block, I
 /// gradient, sums) reads both of a point from the nodes. Points that drifted over the first half of
 /// the step (`in_halves`) move over the second.
 template <int Dim, class Shape, bool in_halves, class Read>
-[[gnu::always_inline]] inline PointSums move_and_deform(DynamicsData<Dim>& data, double step,
+[[gnu::always_inline]] inline PointSums move_and_deform(DynamicsData<Dim>& data,
+                                                        const NodeField<Dim>& field, double step,
                                                         Index begin, Index end, const Read& read) {
   const ShapeOfBody<Shape> shape_of(data.half_widths);
   const Mover<Dim> move(data, in_halves ? 0.5 * step : step);
-  const Grid<Dim> grid = data.grid;
+  const Grid<Dim> grid = field.grid;
+  const Index offset = field.offset;
   double* position = data.points.position().data();
   const Index* body = data.points.body().data();
   DeformationBlock<Dim> block;
@@ -88,7 +90,7 @@ template <int Dim, class Shape, bool in_halves, class Read>
     const int rows = static_cast<int>(std::min<Index>(block_rows, end - start));
     for (int k = 0; k < rows; ++k) {
       const Index row = start + k;
-      const AxisWeights<Dim, Shape> axes(grid, shape_of(body[row]), position + row * Dim);
+      const AxisWeights<Dim, Shape> axes(grid, shape_of(body[row]), position + row * Dim, offset);
       const SimdWeights<Dim, Shape> w(axes.value, axes.slope);
       double velocity[Dim], gradient[Dim * Dim];
       read(row, axes, w, velocity, gradient, sums);
@@ -104,12 +106,13 @@ template <int Dim, class Shape, bool in_halves, class Read>
 }
 
 template <int Dim, class Shape, VelocityTransfer transfer>
-PointSums update_usl_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil, double step,
+PointSums update_usl_rows(DynamicsData<Dim>& data, const NodeField<Dim>& field, double step,
                           Index begin, Index end) {
+  const Stencil<Dim, Shape> stencil(field.grid);
   const VelocityUpdate<Dim, Shape, transfer, true> update(data, step);
   typename VelocityUpdate<Dim, Shape, transfer, true>::Nodes nodes(stencil, update.from);
   return move_and_deform<Dim, Shape, is_affine<transfer, Shape>>(
-      data, step, begin, end,
+      data, field, step, begin, end,
       [&](Index row, const auto& axes, const auto& w, double* velocity, double* gradient,
           PointSums& sums) {
         nodes.move_to(axes.first);
@@ -123,8 +126,9 @@ PointSums update_usl_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& st
 }
 
 template <int Dim, class Shape, VelocityTransfer transfer>
-PointSums update_velocity_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil,
-                               double step, Index begin, Index end) {
+PointSums update_velocity_rows(DynamicsData<Dim>& data, const NodeField<Dim>& field, double step,
+                               Index begin, Index end) {
+  const Stencil<Dim, Shape> stencil(field.grid);
   const VelocityUpdate<Dim, Shape, transfer, false> update(data, step);
   typename VelocityUpdate<Dim, Shape, transfer, false>::Nodes nodes(stencil, update.from);
   double* to[Dim];
@@ -133,12 +137,13 @@ PointSums update_velocity_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape
   }
   CellSums<Dim, Shape, Dim> sums(stencil, to);
   const ShapeOfBody<Shape> shape_of(data.half_widths);
-  const Grid<Dim> grid = data.grid;
+  const Grid<Dim> grid = field.grid;
+  const Index offset = field.offset;
   const double* position = data.points.position().data();
   const Index* body = data.points.body().data();
   PointSums found;
   for (Index row = begin; row < end; ++row) {
-    const AxisWeights<Dim, Shape> axes(grid, shape_of(body[row]), position + row * Dim);
+    const AxisWeights<Dim, Shape> axes(grid, shape_of(body[row]), position + row * Dim, offset);
     const SimdWeights<Dim, Shape> w(axes.value, axes.slope);
     nodes.move_to(axes.first);
     sums.move_to(axes.first);
@@ -155,8 +160,9 @@ PointSums update_velocity_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape
 }
 
 template <int Dim, class Shape, bool in_halves>
-PointSums update_musl_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil, double step,
+PointSums update_musl_rows(DynamicsData<Dim>& data, const NodeField<Dim>& field, double step,
                            Index begin, Index end) {
+  const Stencil<Dim, Shape> stencil(field.grid);
   constexpr int gradients = Dim * Dim, values = in_halves ? 0 : Dim;
   const double* from[values + Dim];
   for (int axis = 0; axis < Dim; ++axis) {
@@ -168,7 +174,7 @@ PointSums update_musl_rows(DynamicsData<Dim>& data, const Stencil<Dim, Shape>& s
   CellNodes<Dim, Shape, values + Dim> nodes(stencil, from);
   const double* carried = in_halves ? data.carried->data() : nullptr;
   return move_and_deform<Dim, Shape, in_halves>(
-      data, step, begin, end,
+      data, field, step, begin, end,
       [&](Index row, const auto& axes, const auto& w, double* velocity, double* gradient,
           PointSums&) {
         nodes.move_to(axes.first);
@@ -199,9 +205,11 @@ PointSums update_velocities(DynamicsData<Dim>& data, double step) {
   data.nodes.clear_second_velocity();
   std::vector<PointSums> partial(static_cast<std::size_t>(data.order.strip_count()));
   with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
-    const Stencil<Dim, Shape> stencil(data.grid);
     data.order.for_each_strip([&](Index begin, Index end, Index strip) {
-      partial[strip] = update_velocity_rows<Dim, Shape, transfer>(data, stencil, step, begin, end);
+      const auto update = [&](const NodeField<Dim>& field, Index from, Index to) {
+        partial[strip] += update_velocity_rows<Dim, Shape, transfer>(data, field, step, from, to);
+      };
+      data.fields.for_each_run(data.points.body().data(), begin, end, update);
     });
   });
   PointSums total;
@@ -216,12 +224,16 @@ template <int Dim>
 PointSums update_points(DynamicsData<Dim>& data, double step) {
   PointSums total;
   with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
-    const Stencil<Dim, Shape> stencil(data.grid);
     total = sum_over_points(data.points.size(), [&](Index begin, Index end) {
-      return data.settings.stress_update == StressUpdate::usl
-                 ? update_usl_rows<Dim, Shape, transfer>(data, stencil, step, begin, end)
-                 : update_musl_rows<Dim, Shape, is_affine<transfer, Shape>>(data, stencil, step,
-                                                                            begin, end);
+      PointSums sums;
+      const auto update = [&](const NodeField<Dim>& field, Index from, Index to) {
+        sums += data.settings.stress_update == StressUpdate::usl
+                    ? update_usl_rows<Dim, Shape, transfer>(data, field, step, from, to)
+                    : update_musl_rows<Dim, Shape, is_affine<transfer, Shape>>(data, field, step,
+                                                                               from, to);
+      };
+      data.fields.for_each_run(data.points.body().data(), begin, end, update);
+      return sums;
     });
   });
   total.speed = std::sqrt(total.speed);

@@ -78,10 +78,11 @@ ObstacleContacts<Dim>::ObstacleContacts(const DynamicsData<Dim>& data, const Obs
 template <int Dim>
 bool ObstacleContacts<Dim>::place_on_nodes(const DynamicsData<Dim>& data,
                                            Contact<Dim>& contact) const {
-  const Grid<Dim>& grid = data.grid;
+  const NodeField<Dim>& field = data.fields.of_body(data.points.body()[contact.row]);
+  const Grid<Dim>& grid = field.grid;
   const double* mass = data.nodes.mass();
   double share[Dim];
-  Index base = 0;
+  Index base = field.offset;
   for (int axis = 0; axis < Dim; ++axis) {
     const double at = (contact.foot[axis] - grid.origin()[axis]) * grid.inverse_cell_size();
     const auto cell = static_cast<Index>(std::floor(at));

@@ -7,8 +7,7 @@
 namespace lapilli {
 
 template <int Dim>
-Obstacles<Dim>::Obstacles(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem)
-    : crowd_(static_cast<std::size_t>(data.grid.node_count()), 0.0) {
+Obstacles<Dim>::Obstacles(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem) {
   std::vector<double> radii;
   for (const DynamicsBody& body : problem.bodies) {
     radii.push_back(body.half_width * data.grid.cell_size());
@@ -26,6 +25,7 @@ void Obstacles<Dim>::push(DynamicsData<Dim>& data, const Step& step, double spee
   // Where points act in the middle of the step, obstacles do too.
   const double ahead = data.moves_with_mean ? 0.0 : 0.5 * step.size;
   const Index first = data.nodes.first(), count = data.nodes.last() - first;
+  crowd_.resize(static_cast<std::size_t>(data.fields.node_count()), 0.0);
   for (int axis = 0; axis < Dim; ++axis) {
     const double* velocity = data.nodes.velocity(axis) + first;
     before_[axis].assign(velocity, velocity + count);
