@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "lapilli/core/require.hpp"
-#include "lapilli/materials/principal.hpp"
+#include "lapilli/materials/slope_of_return.hpp"
 
 namespace lapilli {
 
@@ -23,7 +23,7 @@ void check(const MohrCoulomb& material) {
           "Mohr-Coulomb: tension_cutoff must not be negative (Pa), got ", material.tension_cutoff);
 }
 
-MohrCoulombReturn::MohrCoulombReturn(const MohrCoulomb& material) {
+MohrCoulombLaw::MohrCoulombLaw(const MohrCoulomb& material) {
   check(material);
   const double degree = std::numbers::pi / 180.0;
   const double sine = std::sin(material.friction_angle * degree);
@@ -54,41 +54,13 @@ MohrCoulombReturn::MohrCoulombReturn(const MohrCoulomb& material) {
   lateral = nu / (1.0 - nu);
 }
 
-SymmetricTensor return_stress(const MohrCoulombReturn& material, const SymmetricTensor& trial) {
-  SymmetricTensor stress = trial;
-  return_stresses(material, stress.components.data(), 1, 1);
-  return stress;
-}
-
-void return_stresses(const MohrCoulombReturn& material, double* stress, int stride, int rows) {
-  const MohrCoulombReturn m = material;
-  for_quads(0, rows, [&m, stress, stride]<class Real>(int row) {
-    Real s[6];
-    for (int c = 0; c < 6; ++c) {
-      s[c] = load<Real>(stress + c * stride + row);
-    }
-    const auto sorted = [&m](Real t1, Real t2, Real t3) { return return_sorted(m, t1, t2, t3); };
-    apply_full(sorted, s[0], s[1], s[2], s[3], s[4], s[5]);
-    for (int c = 0; c < 6; ++c) {
-      store(stress + c * stride + row, s[c]);
-    }
-  });
-}
-
-void return_stresses_plane_strain(const MohrCoulombReturn& material, double* stress, int stride,
-                                  int rows) {
-  const MohrCoulombReturn m = material;
-  for_quads(0, rows, [&m, stress, stride]<class Real>(int row) {
-    Real s[4];
-    for (int c = 0; c < 4; ++c) {
-      s[c] = load<Real>(stress + c * stride + row);
-    }
-    const auto sorted = [&m](Real t1, Real t2, Real t3) { return return_sorted(m, t1, t2, t3); };
-    apply_plane(sorted, s[0], s[1], s[2], s[3]);
-    for (int c = 0; c < 4; ++c) {
-      store(stress + c * stride + row, s[c]);
-    }
-  });
+SymmetricTensor MohrCoulombLaw::stress_and_slope(const SymmetricTensor& trial, double* /*state*/,
+                                                 StressSlope& slope) const {
+  return differentiate_principal(
+      [this](const auto& t1, const auto& t2, const auto& t3) {
+        return return_sorted(*this, t1, t2, t3);
+      },
+      trial, slope);
 }
 
 }  // namespace lapilli

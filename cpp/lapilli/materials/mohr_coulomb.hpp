@@ -4,15 +4,20 @@
 
 #include "lapilli/core/simd.hpp"
 #include "lapilli/materials/elastic.hpp"
-#include "lapilli/materials/symmetric_tensor.hpp"
+#include "lapilli/materials/principal.hpp"
+#include "lapilli/materials/return_point.hpp"
+#include "lapilli/materials/stress_slope.hpp"
 
 namespace lapilli {
+
+struct MohrCoulombLaw;
 
 /// Elastic, perfectly plastic soil: Mohr-Coulomb with its own dilatancy angle, closed in tension by
 /// a Rankine cut-off (at the apex unless a lower one is given). Tension is positive.
 /// Not modelled: hardening, rate dependence, pore pressure.
 struct MohrCoulomb {
   static constexpr const char* kind = "mohr_coulomb";
+  using Law = MohrCoulombLaw;
   LinearElastic elastic;
   double friction_angle = 0.0;                                      // degrees, in [0, 90)
   double dilatancy_angle = 0.0;                                     // degrees, in [0, friction]
@@ -38,14 +43,27 @@ struct MohrCoulomb {
               .text("largest principal stress; the apex of the cone where it is lower"),
           self.tension_cutoff);
   }
+
+  const LinearElastic& elastic_part() const { return elastic; }
+  std::vector<StateVariable> state_variables() const { return {}; }
 };
 
 /// Throws std::invalid_argument naming the first constant outside its range.
 void check(const MohrCoulomb& material);
 
-/// The constants of the return mapping, made once a material.
-struct MohrCoulombReturn {
-  explicit MohrCoulombReturn(const MohrCoulomb& material);
+/// The return mapping, its constants made once a material.
+struct MohrCoulombLaw {
+  static constexpr int states = 0;
+  static constexpr bool yields = true, parts = true;
+
+  explicit MohrCoulombLaw(const MohrCoulomb& material);
+
+  template <class Real, int components>
+  void return_stress(Real (&stress)[components], Real* state) const;
+  SymmetricTensor stress_and_slope(const SymmetricTensor& trial, double* state,
+                                   StressSlope& slope) const;
+  /// Where all three principal stresses are at what the material bears in tension, Pa.
+  double parts_at() const { return tension3; }
 
   double above, below, strength;   // (1 + sin phi) s1 - (1 - sin phi) s3 <= strength
   double flow1, flow2, flow3;      // elastic stress of the plastic flow over 2 mu, sorted
@@ -63,11 +81,11 @@ struct PrincipalStress {
 
 /// Exact return of a sorted elastic trial: plane, two edges, cut-off face, edge, corner, and the
 /// line and corners where the cut-off meets the cone (with no cut-off given all of these fall
-/// together in the apex). Closed form, no iteration, no branch; Real is double or Double4.
+/// together in the apex). Closed form, no iteration, no branch; Real is double, Double4 or a Dual.
 /// Regions by the sign of the multipliers as in Clausen, Damkilde & Andersen (2006), Comput.
 /// Struct. 85:1795.
 template <class Real>
-inline PrincipalStress<Real> return_sorted(const MohrCoulombReturn& m, Real t1, Real t2, Real t3) {
+inline PrincipalStress<Real> return_sorted(const MohrCoulombLaw& m, Real t1, Real t2, Real t3) {
   const Real tension = as<Real>(m.tension), tension3 = as<Real>(m.tension3);
   const Real yield = m.above * t1 - m.below * t3 - m.strength;
   const Real plane = yield * m.plane;
@@ -114,15 +132,16 @@ inline PrincipalStress<Real> return_sorted(const MohrCoulombReturn& m, Real t1, 
   return {cut ? tension : s1, cut ? h2 : s2, cut ? h3 : s3};
 }
 
-/// Return of any elastic trial stress of one point.
-SymmetricTensor return_stress(const MohrCoulombReturn& material, const SymmetricTensor& trial);
-
-/// Return `rows` trial stresses in place: component c of row k is stress[c * stride + k]. Six
-/// components xx, yy, zz, xy, yz, xz.
-void return_stresses(const MohrCoulombReturn& material, double* stress, int stride, int rows);
-
-/// The same in plane strain: four components xx, yy, zz, xy.
-void return_stresses_plane_strain(const MohrCoulombReturn& material, double* stress, int stride,
-                                  int rows);
+template <class Real, int components>
+void MohrCoulombLaw::return_stress(Real (&s)[components], Real* /*state*/) const {
+  const auto sorted = [this](Real t1, Real t2, Real t3) {
+    return return_sorted(*this, t1, t2, t3);
+  };
+  if constexpr (components == 4) {
+    apply_plane(sorted, s[0], s[1], s[2], s[3]);
+  } else {
+    apply_full(sorted, s[0], s[1], s[2], s[3], s[4], s[5]);
+  }
+}
 
 }  // namespace lapilli

@@ -56,6 +56,18 @@ double full_cell(const DynamicsData<Dim>& data) {
   return density * data.grid.cell_volume();
 }
 
+namespace {
+
+std::vector<std::vector<StateVariable>> variables_of(const std::vector<DynamicsBody>& bodies) {
+  std::vector<std::vector<StateVariable>> all;
+  for (const DynamicsBody& body : bodies) {
+    all.push_back(state_variables(body.material));
+  }
+  return all;
+}
+
+}  // namespace
+
 template <int Dim>
 DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& problem)
     : grid(problem.grid),
@@ -66,6 +78,7 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
       mass(of_points, 1),
       velocity(of_points, Dim),
       stress(of_points, stress_components),
+      states(of_points, variables_of(problem.bodies)),
       order(problem.grid, problem.shape == ShapeFunction::linear ? 2 : 3),
       nodes(problem.grid, problem.shape, problem.settings) {
   check(settings, Dim);
@@ -85,7 +98,7 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
     affine = std::make_unique<PointArray>(points, Dim * Dim);
     carried = std::make_unique<PointArray>(points, Dim);
   }
-  if (std::ranges::any_of(materials, [](const auto& one) { return one.yield.has_value(); })) {
+  if (std::ranges::any_of(materials, [](const auto& one) { return parts(one.law); })) {
     opened = std::make_unique<PointArray>(points, 1);
   }
   if (nodes.fades()) {

@@ -1,8 +1,9 @@
 #include "lapilli/mpm/dynamics/stress_update.hpp"
 
 #include <algorithm>
+#include <type_traits>
+#include <variant>
 
-#include "lapilli/materials/principal.hpp"
 #include "lapilli/mpm/dynamics/deformation.hpp"
 
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -68,7 +69,7 @@ struct Lanes {
 /// Turned stress plus the elastic stress of the step. `strain` takes what its double contraction
 /// with a stress needs: shear twice.
 template <class Real>
-Real deform(const StressMaterial& m, const DeformationBlock<2>& block, int row, Real free_strain,
+Real deform(const ElasticConstants& m, const DeformationBlock<2>& block, int row, Real free_strain,
             Real (&s)[4], Real (&strain)[4]) {
   const PlaneDeformation<Real> step(
       load<Real>(&block.gradient[0][row]), load<Real>(&block.gradient[1][row]),
@@ -88,7 +89,7 @@ Real deform(const StressMaterial& m, const DeformationBlock<2>& block, int row, 
 }
 
 template <class Real>
-Real deform(const StressMaterial& m, const DeformationBlock<3>& block, int row, Real free_strain,
+Real deform(const ElasticConstants& m, const DeformationBlock<3>& block, int row, Real free_strain,
             Real (&s)[6], Real (&strain)[6]) {
   Real a[9];
   for (int c = 0; c < 9; ++c) {
@@ -108,19 +109,10 @@ Real deform(const StressMaterial& m, const DeformationBlock<3>& block, int row, 
   return step.volume;
 }
 
-template <class Real, class Return>
-void return_one(const Return& sorted, Real (&s)[4]) {
-  apply_plane(sorted, s[0], s[1], s[2], s[3]);
-}
-template <class Real, class Return>
-void return_one(const Return& sorted, Real (&s)[6]) {
-  apply_full(sorted, s[0], s[1], s[2], s[3], s[4], s[5]);
-}
-
 /// The stress before the step, turned, on the strain of the step: that of the trial stress less
 /// what the step added.
 template <class Real, int components>
-Real contract(const StressMaterial& m, const Real (&trial)[components],
+Real contract(const ElasticConstants& m, const Real (&trial)[components],
               const Real (&strain)[components], Real free_strain) {
   const double twice = 2.0 * m.shear_modulus;
   const Real trace = strain[0] + strain[1] + strain[2];
@@ -137,7 +129,7 @@ Real contract(const StressMaterial& m, const Real (&trial)[components],
 
 /// Stress times the plastic strain that a return from `trial` to `s` means, J/m^3.
 template <class Real, int components>
-Real dissipation(const StressMaterial& m, const Real (&trial)[components],
+Real dissipation(const ElasticConstants& m, const Real (&trial)[components],
                  const Real (&s)[components]) {
   const double share = m.lambda / (3.0 * m.lambda + 2.0 * m.shear_modulus);
   Real drop[components];
@@ -157,7 +149,7 @@ Real dissipation(const StressMaterial& m, const Real (&trial)[components],
 /// What has come apart closes first, without stress: grains that have flown do not press on each
 /// other before they touch. (The volume correction of Tampubolon et al. 2017, ACM TOG 36:105.)
 template <class Real, int components>
-void close_gap(const StressMaterial& m, const Real (&strain)[components], Real& opened,
+void close_gap(const ElasticConstants& m, const Real (&strain)[components], Real& opened,
                Real& free_strain, Real (&s)[components]) {
   const Real squeezing = -(strain[0] + strain[1] + strain[2]);
   const Real least = squeezing < opened ? squeezing : opened;
@@ -174,19 +166,27 @@ void close_gap(const StressMaterial& m, const Real (&strain)[components], Real& 
 /// Volume strain that opens where nothing holds a point together: all of its principal stresses are
 /// at what it bears in tension.
 template <class Real, int components>
-Real parted(const StressMaterial& m, const Real (&trial)[components], const Real (&s)[components]) {
+Real parted(const ElasticConstants& m, double parts_at, const Real (&trial)[components],
+            const Real (&s)[components]) {
   const double bulk = 3.0 * m.lambda + 2.0 * m.shear_modulus;
   const Real trace = s[0] + s[1] + s[2];
   const Real strain = (trial[0] + trial[1] + trial[2] - trace) * (1.0 / bulk);
   const Real opening = strain > 0.0 ? strain : as<Real>(0.0);
-  return trace >= 3.0 * m.yield->tension3 - 1e-12 * bulk ? opening : as<Real>(0.0);
+  return trace >= 3.0 * parts_at - 1e-12 * bulk ? opening : as<Real>(0.0);
 }
 
-template <int Dim, bool yields>
-StressSums update_rows(const StressMaterial& material, const DeformationBlock<Dim>& block,
-                       const StressRows& rows, int begin, int end) {
+/// Copied into a loop, so that its constants need not be read again after every store; one that
+/// owns memory stays where it is.
+template <class Law>
+using InLoop = std::conditional_t<std::is_trivially_copyable_v<Law>, const Law, const Law&>;
+
+template <int Dim, class Law>
+StressSums update_rows(const StressMaterial& material, const Law& its_law,
+                       const DeformationBlock<Dim>& block, const StressRows& rows, int begin,
+                       int end) {
   constexpr int components = Dim == 2 ? 4 : 6;
-  const StressMaterial m = material;
+  const ElasticConstants m = material;
+  InLoop<Law> law = its_law;
   Lanes lanes;
   for_quads(begin, end, [&]<class Real>(int row) {
     Real s[components];
@@ -200,7 +200,7 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
     Real strain[components];
     const Real growth = deform(m, block, row, given, s, strain);
     Real opened = as<Real>(0.0);
-    if constexpr (yields) {
+    if constexpr (Law::parts) {
       opened = load<Real>(rows.opened + row);
       close_gap(m, strain, opened, free_strain, s);
     }
@@ -208,17 +208,22 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
     const Real volume = before * growth;
     const Real strained = contract(m, s, strain, free_strain);
     Real work = as<Real>(0.0);
-    if constexpr (yields) {
-      Real trial[components];
+    if constexpr (Law::yields) {
+      Real trial[components], state[std::max(1, Law::states)];
       for (int c = 0; c < components; ++c) {
         trial[c] = s[c];
       }
-      const auto sorted = [&m](Real t1, Real t2, Real t3) {
-        return return_sorted(*m.yield, t1, t2, t3);
-      };
-      return_one(sorted, s);
+      for (int k = 0; k < Law::states; ++k) {
+        state[k] = load<Real>(rows.state[k] + row);
+      }
+      law.return_stress(s, state);
+      for (int k = 0; k < Law::states; ++k) {
+        store(rows.state[k] + row, state[k]);
+      }
       work = volume * dissipation(m, trial, s);
-      store(rows.opened + row, opened + parted(m, trial, s));
+      if constexpr (Law::parts) {
+        store(rows.opened + row, opened + parted(m, law.parts_at(), trial, s));
+      }
       if (rows.plastic) {
         store(rows.plastic + row, load<Real>(rows.plastic + row) + work);
       }
@@ -246,26 +251,26 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
 
 }  // namespace
 
-StressMaterial::StressMaterial(const Solid& solid) {
+ElasticConstants::ElasticConstants(const LinearElastic& elastic)
+    : lambda(elastic.lambda()),
+      shear_modulus(elastic.shear_modulus()),
+      wave_modulus(elastic.wave_modulus()),
+      density(elastic.density) {}
+
+StressMaterial::StressMaterial(const Solid& solid)
+    : ElasticConstants(elastic_part(solid)), law(law_of(solid)) {
   check(solid);
-  const LinearElastic& elastic = elastic_part(solid);
-  lambda = elastic.lambda();
-  shear_modulus = elastic.shear_modulus();
-  wave_modulus = elastic.wave_modulus();
-  density = elastic.density;
-  if (const auto* soil = std::get_if<MohrCoulomb>(&solid)) {
-    yield.emplace(*soil);
-  }
 }
 
 template <int Dim>
 StressSums update_stress(const StressMaterial& material, const DeformationBlock<Dim>& block,
                          const StressRows& rows, int begin, int end) {
-  return material.yield ? update_rows<Dim, true>(material, block, rows, begin, end)
-                        : update_rows<Dim, false>(material, block, rows, begin, end);
+  return std::visit(
+      [&](const auto& law) { return update_rows<Dim>(material, law, block, rows, begin, end); },
+      material.law);
 }
 
-double elastic_energy(const StressMaterial& m, const SymmetricTensor& s) {
+double elastic_energy(const ElasticConstants& m, const SymmetricTensor& s) {
   const double share = m.lambda / (3.0 * m.lambda + 2.0 * m.shear_modulus);
   const double trace = s.trace();
   const double normal = s[0] * s[0] + s[1] * s[1] + s[2] * s[2] - share * trace * trace;

@@ -38,7 +38,7 @@ template <int Dim>
 void deform_block(DynamicsData<Dim>& data, const DeformationBlock<Dim>& block, Index begin,
                   int rows, PointSums& sums) {
   constexpr int components = DynamicsData<Dim>::stress_components;
-  const StressRows at{data.stress.data() + begin * components,
+  StressRows at{data.stress.data() + begin * components,
                       data.points.volume().data() + begin,
                       data.mass.data() + begin,
                       data.free_strain ? data.free_strain->data() + begin : nullptr,
@@ -51,6 +51,8 @@ void deform_block(DynamicsData<Dim>& data, const DeformationBlock<Dim>& block, I
       ++last;
     }
     const StressMaterial& material = data.materials[body[first]];
+    const auto state = data.states.rows(body[first], begin);
+    at.state = state.data();
     const StressSums found = update_stress<Dim>(material, block, at, first, last);
     sums.plastic += found.plastic;
     sums.strain_work += found.strain_work;

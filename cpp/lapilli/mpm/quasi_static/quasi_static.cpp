@@ -63,7 +63,7 @@ template <int Dim>
 void QuasiStatic<Dim>::undo_reset(const Archive& before) {
   reference_.scheme = scheme_;
   reference_.load(before);
-  reference_.locate(grid_, points_, materials_, averaged_, boundary_);
+  reference_.locate(grid_, points_, solids_.elastic(), averaged_, boundary_);
 }
 
 template <int Dim>
@@ -78,7 +78,7 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(double from, double
     reference_.imbalance_due = false;
   }
   loads.carried = reference_.imbalance;
-  const Equilibrium<Dim> equilibrium = equilibrium_under(loads);
+  Equilibrium<Dim> equilibrium = equilibrium_under(loads);
   require_loads_arrive(equilibrium);
   Eigen::VectorXd u = solve(equilibrium, report);
   std::vector<Vec<Dim>> moves = moves_of(equilibrium, u);
@@ -110,18 +110,23 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(double from, double
 template <int Dim>
 Equilibrium<Dim> QuasiStatic<Dim>::equilibrium_under(const Loads<Dim>& loads) {
   return Equilibrium<Dim>(grid_, std::as_const(reference_.volume).values(), points_.body(),
-                          reference_.weights, *reference_.state, materials_, stress_.values(),
-                          loads, system_, solver_);
+                          reference_.weights, *reference_.state, solids_, loads, system_, solver_);
 }
 
 /// Newton's method from no displacement at all.
 template <int Dim>
-Eigen::VectorXd QuasiStatic<Dim>::solve(const Equilibrium<Dim>& equilibrium, Report& report) const {
+Eigen::VectorXd QuasiStatic<Dim>::solve(Equilibrium<Dim>& equilibrium, Report& report) {
+  constexpr int longer_where_it_yields = 4;
+  const bool may_yield = solids_.can_yield();
   Eigen::VectorXd u = Eigen::VectorXd::Zero(system_.unknowns());
   report.newton = solve_newton(
       u, [&](const Eigen::VectorXd& at) { return equilibrium.residual(at); },
-      [&](const Eigen::VectorXd& force) { return equilibrium.correction(force); },
-      settings_.tolerance, settings_.max_iterations);
+      [&](const Eigen::VectorXd& force) {
+        follow_tangent(equilibrium, u, report);
+        return equilibrium.correction(force);
+      },
+      settings_.tolerance, settings_.max_iterations * (may_yield ? longer_where_it_yields : 1),
+      may_yield);
   if (!report.newton.converged) {
     throw LoadStepFailed(message("Newton's method stalled at a relative residual of ",
                                  report.newton.residual, " after ", report.newton.iterations,
@@ -134,6 +139,28 @@ Eigen::VectorXd QuasiStatic<Dim>::solve(const Equilibrium<Dim>& equilibrium, Rep
                            "their youngs_modulus within a factor of 1e8"));
   }
   return u;
+}
+
+/// The tangent at `u` where points yield, as near to the consistent one as stays positive; the
+/// elastic stiffness, factorised once, where none does.
+template <int Dim>
+void QuasiStatic<Dim>::follow_tangent(Equilibrium<Dim>& equilibrium, const Eigen::VectorXd& u,
+                                      Report& report) {
+  if (!equilibrium.yields_at(u)) {
+    if (!reference_.factorised) {
+      equilibrium.factorise();
+      reference_.factorised = true;
+    }
+    return;
+  }
+  reference_.factorised = false;
+  for (const double elastic_share : {1e-6, 0.1, 0.5, 1.0}) {
+    report.pivots = equilibrium.factorise_at(u, elastic_share);
+    if (report.pivots.not_positive == 0) {
+      return;
+    }
+  }
+  require_positive(report.pivots);
 }
 
 template <int Dim>
@@ -182,7 +209,7 @@ void QuasiStatic<Dim>::require_positive(const PivotReport& pivots) const {
   }
   constexpr double largest_contrast = 1e8;
   const auto [soft, stiff] = std::minmax_element(
-      materials_.begin(), materials_.end(),
+      solids_.elastic().begin(), solids_.elastic().end(),
       [](const auto& a, const auto& b) { return a.youngs_modulus < b.youngs_modulus; });
   if (stiff->youngs_modulus > largest_contrast * soft->youngs_modulus) {
     throw RunError(
@@ -212,7 +239,7 @@ void QuasiStatic<Dim>::reset_grid(double time) {
   reference_.start(points_, half_width_.get(), time);
   reference_.scheme = scheme_;
   reference_.support_forces = support_forces_;
-  reference_.locate(grid_, points_, materials_, averaged_, boundary_);
+  reference_.locate(grid_, points_, solids_.elastic(), averaged_, boundary_);
 }
 
 template <int Dim>
@@ -221,10 +248,7 @@ void QuasiStatic<Dim>::update_points(const Equilibrium<Dim>& equilibrium, const 
   const double h = grid_.cell_size();
   parallel_for(points_.size(), [&](Index p) {
     const SymmetricTensor strain = equilibrium.strain(p, u);
-    const SymmetricTensor stress = stress_of(materials_[points_.body()[p]], strain);
-    for (int k = 0; k < 6; ++k) {
-      stress_[6 * p + k] += stress[k];
-    }
+    solids_.strain(p, points_.body()[p], strain);
     if (update_volumes_) {
       points_.volume()[p] *= std::exp(strain.trace());
     }
