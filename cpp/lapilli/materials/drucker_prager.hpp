@@ -72,7 +72,7 @@ struct DruckerPragerLaw {
   SymmetricTensor stress_and_slope(const SymmetricTensor& trial, double* state,
                                    StressSlope& slope) const;
   /// The mean stress of the apex, Pa.
-  double parts_at() const { return apex; }
+  double parts_at(const auto* /*state*/) const { return apex; }
 
   double cone, flow, strength;  // 1, 1, Pa
   double shear, bulk;           // Pa

@@ -6,12 +6,14 @@
 #include "lapilli/materials/mohr_coulomb.hpp"
 #include "lapilli/materials/solid_parts.hpp"
 #include "lapilli/materials/stiffness.hpp"
+#include "lapilli/materials/tabulated_mohr_coulomb.hpp"
 #include "lapilli/materials/von_mises.hpp"
 
 namespace lapilli {
 
 /// The solids that mechanics can move: the one list of them.
-using Solid = std::variant<LinearElastic, MohrCoulomb, DruckerPrager, VonMises>;
+using Solid =
+    std::variant<LinearElastic, MohrCoulomb, DruckerPrager, VonMises, TabulatedMohrCoulomb>;
 
 namespace detail {
 

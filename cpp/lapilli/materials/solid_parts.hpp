@@ -76,10 +76,12 @@ concept HasTangent = requires(const typename T::Law& law, const SymmetricTensor&
   { law.stress_and_slope(trial, state, slope) } -> std::same_as<SymmetricTensor>;
 };
 
-/// law.parts_at(): the mean stress beyond which nothing holds a point together, Pa.
+/// law.parts_at(state): the mean stress beyond which nothing holds a point together, Pa.
 template <class T>
-concept HasPartingStress = !T::Law::parts || requires(const typename T::Law& law) {
-  { law.parts_at() } -> std::same_as<double>;
+concept HasPartingStress = !T::Law::parts ||
+    requires(const typename T::Law& law, const double* state, const Double4* states) {
+  { law.parts_at(state) } -> std::same_as<double>;
+  law.parts_at(states);
 };
 
 /// True, or a compile error that names the part which is not there.
@@ -97,7 +99,7 @@ constexpr bool is_whole_solid() {
   static_assert(HasTangent<T>,
                 "the law of a solid needs `stress_and_slope(trial, state, slope) const`");
   static_assert(HasPartingStress<T>,
-                "the law of a solid that parts needs `double parts_at() const`");
+                "the law of a solid that parts needs `parts_at(state) const`");
   return true;
 }
 

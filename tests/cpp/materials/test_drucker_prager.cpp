@@ -71,7 +71,7 @@ TEST_CASE("beyond its apex the cone leaves the cohesion over the tangent of fric
       REQUIRE(point.stress[c] == Approx(c < 3 ? apex : 0.0).epsilon(1e-12).margin(1e-9));
     }
     REQUIRE(point.state[0] > 0.0);
-    REQUIRE(std::get<DruckerPragerLaw>(point.law).parts_at() == Approx(apex).epsilon(1e-12));
+    REQUIRE(std::get<DruckerPragerLaw>(point.law).parts_at(point.state.data()) == Approx(apex).epsilon(1e-12));
   }
 }
 

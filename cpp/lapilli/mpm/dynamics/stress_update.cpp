@@ -165,8 +165,8 @@ void close_gap(const ElasticConstants& m, const Real (&strain)[components], Real
 
 /// Volume strain that opens where nothing holds a point together: all of its principal stresses are
 /// at what it bears in tension.
-template <class Real, int components>
-Real parted(const ElasticConstants& m, double parts_at, const Real (&trial)[components],
+template <class Number, class Real, int components>
+Real parted(const ElasticConstants& m, Number parts_at, const Real (&trial)[components],
             const Real (&s)[components]) {
   const double bulk = 3.0 * m.lambda + 2.0 * m.shear_modulus;
   const Real trace = s[0] + s[1] + s[2];
@@ -179,6 +179,16 @@ Real parted(const ElasticConstants& m, double parts_at, const Real (&trial)[comp
 /// owns memory stays where it is.
 template <class Law>
 using InLoop = std::conditional_t<std::is_trivially_copyable_v<Law>, const Law, const Law&>;
+
+/// Before the return, which may change the state.
+template <class Law, class Real>
+auto parting_stress(const Law& law, const Real* state) {
+  if constexpr (Law::parts) {
+    return law.parts_at(state);
+  } else {
+    return 0.0;
+  }
+}
 
 template <int Dim, class Law>
 StressSums update_rows(const StressMaterial& material, const Law& its_law,
@@ -216,13 +226,14 @@ StressSums update_rows(const StressMaterial& material, const Law& its_law,
       for (int k = 0; k < Law::states; ++k) {
         state[k] = load<Real>(rows.state[k] + row);
       }
+      [[maybe_unused]] const auto parts_at = parting_stress(law, state);
       law.return_stress(s, state);
       for (int k = 0; k < Law::states; ++k) {
         store(rows.state[k] + row, state[k]);
       }
       work = volume * dissipation(m, trial, s);
       if constexpr (Law::parts) {
-        store(rows.opened + row, opened + parted(m, law.parts_at(), trial, s));
+        store(rows.opened + row, opened + parted(m, parts_at, trial, s));
       }
       if (rows.plastic) {
         store(rows.plastic + row, load<Real>(rows.plastic + row) + work);
