@@ -47,8 +47,7 @@ DruckerPragerLaw::DruckerPragerLaw(const DruckerPrager& material)
     const double side = material.fit == ConeFit::compression ? 1.0 : -1.0;
     flow = triaxial_slope(dilatancy, side);
     cone = triaxial_slope(sine, side);
-    strength =
-        6.0 * material.cohesion * cosine / (std::numbers::sqrt3 * (3.0 - side * sine));
+    strength = 6.0 * material.cohesion * cosine / (std::numbers::sqrt3 * (3.0 - side * sine));
   }
   per_excess = 1.0 / (shear + 9.0 * bulk * cone * flow);
   const double unreachable = 1e100;

@@ -170,8 +170,7 @@ void MohrCoulombLaw::return_stress(Real (&stress)[components], Real* /*state*/) 
 
 template <class Number>
 MohrCoulombNumbers<Number>::MohrCoulombNumbers(Number sine, Number remainder, Number cohesive,
-                                               Number dilatancy, double tension_cutoff,
-                                               double nu) {
+                                               Number dilatancy, double tension_cutoff, double nu) {
   above = 1.0 + sine;
   below = remainder;
   strength = cohesive;
@@ -190,8 +189,8 @@ MohrCoulombNumbers<Number>::MohrCoulombNumbers(Number sine, Number remainder, Nu
   // Without friction the cone has no apex: the cut-off is then out of reach, not infinite.
   const Number unreachable = as<Number>(1e100), given = as<Number>(std::min(tension_cutoff, 1e100));
   const auto has_apex = sine > 0.0;
-  const Number apex = has_apex ? strength / (2.0 * (has_apex ? sine : as<Number>(1.0)))
-                               : unreachable;
+  const Number apex =
+      has_apex ? strength / (2.0 * (has_apex ? sine : as<Number>(1.0))) : unreachable;
   tension = given < apex ? given : apex;
   const Number meeting = (above * tension - strength) / below;
   tension3 = meeting < tension ? meeting : tension;

@@ -47,8 +47,7 @@ SymmetricTensor differentiate_principal(const Function& f, const SymmetricTensor
   const Vec3 t = solver.eigenvalues().reverse();
   const Mat3 axes = solver.eigenvectors().rowwise().reverse();
   using Real = Dual<3>;
-  const auto reached =
-      f(Real::variable(t[0], 0), Real::variable(t[1], 1), Real::variable(t[2], 2));
+  const auto reached = f(Real::variable(t[0], 0), Real::variable(t[1], 1), Real::variable(t[2], 2));
   const Real s[3] = {reached.s1, reached.s2, reached.s3};
   const double close = 1e-8 * t.cwiseAbs().maxCoeff();
   Mat3 normal, turning;
@@ -56,10 +55,10 @@ SymmetricTensor differentiate_principal(const Function& f, const SymmetricTensor
     for (int j = 0; j < 3; ++j) {
       const auto one = static_cast<std::size_t>(j), own = static_cast<std::size_t>(i);
       normal(i, j) = s[i].slope[one];
-      turning(i, j) = std::abs(t[i] - t[j]) > close
-                          ? (s[i].value - s[j].value) / (t[i] - t[j])
-                          : 0.5 * (s[i].slope[own] - s[i].slope[one] + s[j].slope[one] -
-                                   s[j].slope[own]);
+      turning(i, j) =
+          std::abs(t[i] - t[j]) > close
+              ? (s[i].value - s[j].value) / (t[i] - t[j])
+              : 0.5 * (s[i].slope[own] - s[i].slope[one] + s[j].slope[one] - s[j].slope[own]);
     }
   }
   for (int k = 0; k < 6; ++k) {

@@ -12,8 +12,8 @@
 namespace lapilli {
 
 /// The solids that mechanics can move: the one list of them.
-using Solid =
-    std::variant<LinearElastic, MohrCoulomb, DruckerPrager, VonMises, TabulatedMohrCoulomb>;
+using Solid = std::variant<LinearElastic, MohrCoulomb, DruckerPrager, VonMises,
+                           TabulatedMohrCoulomb, FunctionSolid>;
 
 namespace detail {
 
@@ -47,8 +47,8 @@ inline SolidLaw law_of(const Solid& material) {
 }
 
 inline const LinearElastic& elastic_part(const Solid& material) {
-  return std::visit(
-      [](const auto& solid) -> const LinearElastic& { return solid.elastic_part(); }, material);
+  return std::visit([](const auto& solid) -> const LinearElastic& { return solid.elastic_part(); },
+                    material);
 }
 
 inline std::vector<StateVariable> state_variables(const Solid& material) {
@@ -70,17 +70,40 @@ inline bool parts(const SolidLaw& law) {
   return std::visit([](const auto& one) { return std::remove_cvref_t<decltype(one)>::parts; }, law);
 }
 
+/// Whether it knows a stress and its slope at one point, as load steps need.
+inline bool has_tangent(const SolidLaw& law) {
+  return std::visit([](const auto& one) { return !BlockLaw<std::remove_cvref_t<decltype(one)>>; },
+                    law);
+}
+
+// Both below are for laws that have a tangent.
+
 /// The stress that a law allows for an elastic trial stress at one point; `state` follows.
 inline SymmetricTensor return_stress(const SolidLaw& law, const SymmetricTensor& trial,
                                      double* state) {
-  return std::visit([&](const auto& one) { return return_point(one, trial, state); }, law);
+  return std::visit(
+      [&](const auto& one) {
+        if constexpr (BlockLaw<std::remove_cvref_t<decltype(one)>>) {
+          return trial;
+        } else {
+          return return_point(one, trial, state);
+        }
+      },
+      law);
 }
 
 /// The same, with the derivative of the stress to the trial stress.
 inline SymmetricTensor stress_and_slope(const SolidLaw& law, const SymmetricTensor& trial,
                                         double* state, StressSlope& slope) {
-  return std::visit([&](const auto& one) { return one.stress_and_slope(trial, state, slope); },
-                    law);
+  return std::visit(
+      [&](const auto& one) {
+        if constexpr (BlockLaw<std::remove_cvref_t<decltype(one)>>) {
+          return trial;
+        } else {
+          return one.stress_and_slope(trial, state, slope);
+        }
+      },
+      law);
 }
 
 }  // namespace lapilli

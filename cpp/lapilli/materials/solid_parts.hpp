@@ -6,6 +6,7 @@
 
 #include "lapilli/core/simd.hpp"
 #include "lapilli/materials/elastic.hpp"
+#include "lapilli/materials/function_solid.hpp"
 #include "lapilli/materials/state_variable.hpp"
 #include "lapilli/materials/stress_slope.hpp"
 
@@ -59,27 +60,38 @@ concept HasLaw = std::constructible_from<typename T::Law, const T&> &&
 /// place, for one point (double) or four at once (Double4), in plane strain (xx, yy, zz, xy) and in
 /// space (xx, yy, zz, xy, yz, xz).
 template <class T>
-concept HasReturn = requires(const typename T::Law& law, double (&plane)[4], double (&full)[6],
-                             Double4 (&planes)[4], Double4 (&fulls)[6], double* state,
-                             Double4* states) {
+concept ReturnsPoints = requires(const typename T::Law& law, double (&plane)[4], double (&full)[6],
+                                 Double4 (&planes)[4], Double4 (&fulls)[6], double* state,
+                                 Double4* states) {
   law.return_stress(plane, state);
   law.return_stress(full, state);
   law.return_stress(planes, states);
   law.return_stress(fulls, states);
 };
 
+/// law.return_block(block): the same of a block of points, from the strain increment and the stress
+/// before the step (PointBlock). Such a law has no tangent, and no place in load steps.
+template <class Law>
+concept BlockLaw = requires(const Law& law, const PointBlock& block) {
+  law.return_block(block);
+};
+
+template <class T>
+concept HasReturn = ReturnsPoints<T> || BlockLaw<typename T::Law>;
+
 /// law.stress_and_slope(trial, state, slope): the same at one point, with the derivative of the
 /// stress reached to the trial stress: times the elastic stiffness, the consistent tangent.
 template <class T>
-concept HasTangent = requires(const typename T::Law& law, const SymmetricTensor& trial,
-                              double* state, StressSlope& slope) {
+concept HasTangent = BlockLaw<typename T::Law> ||
+    requires(const typename T::Law& law, const SymmetricTensor& trial, double* state,
+             StressSlope& slope) {
   { law.stress_and_slope(trial, state, slope) } -> std::same_as<SymmetricTensor>;
 };
 
 /// law.parts_at(state): the mean stress beyond which nothing holds a point together, Pa.
 template <class T>
-concept HasPartingStress = !T::Law::parts ||
-    requires(const typename T::Law& law, const double* state, const Double4* states) {
+concept HasPartingStress = !T::Law::parts || requires(const typename T::Law& law,
+                                                      const double* state, const Double4* states) {
   { law.parts_at(state) } -> std::same_as<double>;
   law.parts_at(states);
 };
@@ -93,13 +105,13 @@ constexpr bool is_whole_solid() {
   static_assert(HasElasticPart<T>, "a solid needs `const LinearElastic& elastic_part() const`");
   static_assert(HasStateVariables<T>,
                 "a solid needs `std::vector<StateVariable> state_variables() const`");
-  static_assert(HasLaw<T>, "a solid needs a type `Law` made from it, with `states`, `yields` and "
-                           "`parts`");
+  static_assert(HasLaw<T>,
+                "a solid needs a type `Law` made from it, with `states`, `yields` and "
+                "`parts`");
   static_assert(HasReturn<T>, "the law of a solid needs `return_stress(stress, state) const`");
   static_assert(HasTangent<T>,
                 "the law of a solid needs `stress_and_slope(trial, state, slope) const`");
-  static_assert(HasPartingStress<T>,
-                "the law of a solid that parts needs `parts_at(state) const`");
+  static_assert(HasPartingStress<T>, "the law of a solid that parts needs `parts_at(state) const`");
   return true;
 }
 

@@ -53,7 +53,8 @@ TabulatedMohrCoulombLaw::TabulatedMohrCoulombLaw(const TabulatedMohrCoulomb& mat
   for (std::size_t k = 0; k < strains.size(); ++k) {
     const double sine = std::sin(at(material.friction_angle, k) * degree);
     const double cosine = std::cos(at(material.friction_angle, k) * degree);
-    entries.push_back({sine, cosine * cosine / (1.0 + sine), 2.0 * at(material.cohesion, k) * cosine,
+    entries.push_back({sine, cosine * cosine / (1.0 + sine),
+                       2.0 * at(material.cohesion, k) * cosine,
                        std::sin(at(material.dilatancy_angle, k) * degree)});
   }
 }
@@ -91,8 +92,7 @@ MohrCoulombNumbers<Double4> TabulatedMohrCoulombLaw::numbers(Double4 plastic_str
 }
 
 SymmetricTensor TabulatedMohrCoulombLaw::stress_and_slope(const SymmetricTensor& trial,
-                                                          double* state,
-                                                          StressSlope& slope) const {
+                                                          double* state, StressSlope& slope) const {
   const MohrCoulombNumbers<double> now = numbers(state[0]);
   const SymmetricTensor reached = differentiate_principal(
       [&now](const auto& t1, const auto& t2, const auto& t3) {

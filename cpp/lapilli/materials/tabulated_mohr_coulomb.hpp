@@ -71,7 +71,8 @@ struct TabulatedMohrCoulomb {
 /// Throws std::invalid_argument naming the first parameter that cannot be used.
 void check(const TabulatedMohrCoulomb& material);
 
-/// The exact return of Mohr-Coulomb with the strength and dilatancy of the plastic strain before it.
+/// The exact return of Mohr-Coulomb with the strength and dilatancy of the plastic strain before
+/// it.
 struct TabulatedMohrCoulombLaw {
   static constexpr int states = 1;
   static constexpr bool yields = true, parts = true;

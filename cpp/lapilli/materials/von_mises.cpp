@@ -37,9 +37,8 @@ VonMisesLaw::VonMisesLaw(const VonMises& material)
   const std::vector<double>& stress = material.yield_stress;
   const std::vector<double>& strain = material.plastic_strain;
   for (std::size_t k = 0; k < stress.size(); ++k) {
-    const double rise = k + 1 < stress.size()
-                            ? (stress[k + 1] - stress[k]) / (strain[k + 1] - strain[k])
-                            : 0.0;
+    const double rise =
+        k + 1 < stress.size() ? (stress[k + 1] - stress[k]) / (strain[k + 1] - strain[k]) : 0.0;
     lines.push_back({strain.empty() ? 0.0 : strain[k], stress[k], rise});
   }
 }
@@ -50,8 +49,7 @@ VonMisesLaw::Line<double> VonMisesLaw::line(double q, double p) const {
     ++at;
   }
   // On while the end of a line is passed within this return.
-  while (at + 1 != lines.end() &&
-         q - three_shear * ((at + 1)->from - p) > (at + 1)->start) {
+  while (at + 1 != lines.end() && q - three_shear * ((at + 1)->from - p) > (at + 1)->start) {
     ++at;
   }
   return *at;

@@ -137,6 +137,8 @@ std::unique_ptr<Dynamics<Dim>> dynamics_of(const Scene& scene, const Grid<Dim>& 
       grid, scene.grid.shape_function, {}, *scene.dynamics, distance_of(scene)};
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     DynamicsBody body{solids_in(scene.bodies[k]).front(), half_width_of(scene, filled[k]), {}, {}};
+    body.name = scene.bodies[k].name.empty() ? message("body ", k)
+                                             : message("body '", scene.bodies[k].name, "'");
     if (!scene.bodies[k].velocity.empty()) {
       body.velocity = [start = place(scene.bodies[k].velocity)](const Vec3&) { return start; };
     }

@@ -19,8 +19,8 @@ struct LoadedPoint {
   int load(const std::array<double, 6>& strain, const std::bitset<6>& stress_given,
            const SymmetricTensor& wanted, double tolerance = 1e-13) {
     const Stiffness stiffness = stiffness_of(elastic_part(solid));
-    Eigen::Matrix<double, 6, 1> change = Eigen::Map<const Eigen::Matrix<double, 6, 1>>(
-        strain.data());
+    Eigen::Matrix<double, 6, 1> change =
+        Eigen::Map<const Eigen::Matrix<double, 6, 1>>(strain.data());
     for (int iteration = 0;; ++iteration) {
       SymmetricTensor trial = stress;
       const Eigen::Matrix<double, 6, 1> added = stiffness * change;

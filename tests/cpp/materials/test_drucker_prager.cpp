@@ -51,9 +51,9 @@ TEST_CASE("in plane strain the cone has Mohr-Coulomb's strength for any dilatanc
       const double radius = 0.5 * (point.stress[0] - point.stress[1]);
       const double middle = 0.5 * (point.stress[0] + point.stress[1]);
       CAPTURE(friction, share);
-      REQUIRE(radius == Approx(1e3 * std::cos(friction * degree) -
-                               middle * std::sin(friction * degree))
-                            .epsilon(1e-10));
+      REQUIRE(radius ==
+              Approx(1e3 * std::cos(friction * degree) - middle * std::sin(friction * degree))
+                  .epsilon(1e-10));
       // The dilatancy angle is that of the plane: sin(psi) = volume over shear of the flow.
       const double before = point.stress[0];
       REQUIRE(before == Approx(cell).epsilon(1e-10));
@@ -71,13 +71,15 @@ TEST_CASE("beyond its apex the cone leaves the cohesion over the tangent of fric
       REQUIRE(point.stress[c] == Approx(c < 3 ? apex : 0.0).epsilon(1e-12).margin(1e-9));
     }
     REQUIRE(point.state[0] > 0.0);
-    REQUIRE(std::get<DruckerPragerLaw>(point.law).parts_at(point.state.data()) == Approx(apex).epsilon(1e-12));
+    REQUIRE(std::get<DruckerPragerLaw>(point.law).parts_at(point.state.data()) ==
+            Approx(apex).epsilon(1e-12));
   }
 }
 
 TEST_CASE("the plastic strain of the cone is that of its flow") {
   // Triaxial compression at the limit: the stress stands, all of the strain is plastic. Axial and
-  // lateral deviatoric rates (e, -e/2, -e/2) give sqrt(2/3 e:e) = |e|, and e = 2/3 (axial - lateral).
+  // lateral deviatoric rates (e, -e/2, -e/2) give sqrt(2/3 e:e) = |e|, and e = 2/3 (axial -
+  // lateral).
   LoadedPoint point(soil(30.0, 10.0, ConeFit::compression));
   point.stress = SymmetricTensor(-5e3);
   for (int step = 0; step < 20; ++step) {

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 #include <string>
+#include <type_traits>
 
 #include "driver.hpp"
 #include "lapilli/materials/return_point.hpp"
@@ -27,7 +28,9 @@ std::vector<Solid> samples() {
           DruckerPrager{elastic, 25.0, 0.0, 5e3, ConeFit::compression},
           DruckerPrager{elastic, 0.0, 0.0, 5e3, ConeFit::extension},
           metal,
-          clay};
+          clay,
+          TabulatedMohrCoulomb{
+              elastic, {0.0, 1e-4, 5e-4}, {35.0, 30.0, 25.0}, {15.0, 5.0, 0.0}, {5e3, 1e3, 0.0}}};
 }
 
 SymmetricTensor draw(std::mt19937_64& engine, double size) {
@@ -99,35 +102,37 @@ TEST_CASE("plane strain and the full form of every solid agree, alone and four a
     CAPTURE(name_of_solid(solid));
     std::visit(
         [&](const auto& law) {
-          constexpr int rows = 7;  // a quad and a rest
-          double full[6 * rows], plane[4 * rows], state[rows] = {}, plane_state[rows] = {};
-          for (int row = 0; row < rows; ++row) {
-            SymmetricTensor trial = draw(engine, 1.5e4);
-            trial[4] = trial[5] = 0.0;
-            for (int c = 0; c < 6; ++c) {
-              full[c * rows + row] = trial[c];
-              if (c < 4) {
-                plane[c * rows + row] = trial[c];
+          if constexpr (!BlockLaw<std::remove_cvref_t<decltype(law)>>) {
+            constexpr int rows = 7;  // a quad and a rest
+            double full[6 * rows], plane[4 * rows], state[rows] = {}, plane_state[rows] = {};
+            for (int row = 0; row < rows; ++row) {
+              SymmetricTensor trial = draw(engine, 1.5e4);
+              trial[4] = trial[5] = 0.0;
+              for (int c = 0; c < 6; ++c) {
+                full[c * rows + row] = trial[c];
+                if (c < 4) {
+                  plane[c * rows + row] = trial[c];
+                }
               }
+              double alone_state[1] = {};
+              const SymmetricTensor alone = return_point(law, trial, alone_state);
+              double again[6 * rows], again_state[rows] = {};
+              std::copy(full, full + 6 * rows, again);
+              return_stresses<6>(law, again, again_state, rows, row + 1);
+              for (int c = 0; c < 6; ++c) {
+                REQUIRE(again[c * rows + row] == alone[c]);  // the same arithmetic in both
+              }
+              REQUIRE(again_state[row] == alone_state[0]);
             }
-            double alone_state[1] = {};
-            const SymmetricTensor alone = return_point(law, trial, alone_state);
-            double again[6 * rows], again_state[rows] = {};
-            std::copy(full, full + 6 * rows, again);
-            return_stresses<6>(law, again, again_state, rows, row + 1);
-            for (int c = 0; c < 6; ++c) {
-              REQUIRE(again[c * rows + row] == alone[c]);  // the same arithmetic in both
+            return_stresses<6>(law, full, state, rows, rows);
+            return_stresses<4>(law, plane, plane_state, rows, rows);
+            for (int row = 0; row < rows; ++row) {
+              for (int c = 0; c < 4; ++c) {
+                REQUIRE(full[c * rows + row] ==
+                        Approx(plane[c * rows + row]).margin(1e-12 * 1.5e4));
+              }
+              REQUIRE(state[row] == Approx(plane_state[row]).margin(1e-15));
             }
-            REQUIRE(again_state[row] == alone_state[0]);
-          }
-          return_stresses<6>(law, full, state, rows, rows);
-          return_stresses<4>(law, plane, plane_state, rows, rows);
-          for (int row = 0; row < rows; ++row) {
-            for (int c = 0; c < 4; ++c) {
-              REQUIRE(full[c * rows + row] ==
-                      Approx(plane[c * rows + row]).margin(1e-12 * 1.5e4));
-            }
-            REQUIRE(state[row] == Approx(plane_state[row]).margin(1e-15));
           }
         },
         law_of(solid));

@@ -59,8 +59,8 @@ struct PulledBox {
   }
   void run(int steps) {
     for (int k = 0; k < steps; ++k) {
-      iterations = std::max(iterations, physics->advance({1.0 / steps * k, 1.0 / steps, k})
-                                            .iterations);
+      iterations =
+          std::max(iterations, physics->advance({1.0 / steps * k, 1.0 / steps, k}).iterations);
     }
   }
   double stress(Index p, int c) const { return physics->stress()[6 * p + c]; }

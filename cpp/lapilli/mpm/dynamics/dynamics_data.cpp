@@ -89,7 +89,7 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
     require(body.half_width > 0.0 && body.half_width <= 0.5,
             "half width of a point must lie in (0, 0.5] cells, got ", body.half_width);
     half_widths.push_back(shape == ShapeFunction::bspline ? 0.5 : body.half_width);
-    materials.emplace_back(body.material);
+    materials.emplace_back(body.material, body.name);
   }
   with_transfer(shape, settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
     moves_with_mean = !is_affine<transfer, Shape>;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "lapilli/mpm/dynamics/deformation.hpp"
@@ -175,6 +176,21 @@ Real parted(const ElasticConstants& m, Number parts_at, const Real (&trial)[comp
   return trace >= 3.0 * parts_at - 1e-12 * bulk ? opening : as<Real>(0.0);
 }
 
+/// The stresses that a function of the whole block has given, rows x 6.
+struct GivenStresses {
+  static constexpr int states = 0;
+  static constexpr bool yields = true, parts = false;
+  const double* stress;
+  int first;
+
+  template <class Real, int components>
+  void take(int row, Real (&s)[components]) const {
+    for (int c = 0; c < components; ++c) {
+      s[c] = load_rows<Real>(stress + 6 * (row - first) + c, 6);
+    }
+  }
+};
+
 /// Copied into a loop, so that its constants need not be read again after every store; one that
 /// owns memory stays where it is.
 template <class Law>
@@ -227,7 +243,11 @@ StressSums update_rows(const StressMaterial& material, const Law& its_law,
         state[k] = load<Real>(rows.state[k] + row);
       }
       [[maybe_unused]] const auto parts_at = parting_stress(law, state);
-      law.return_stress(s, state);
+      if constexpr (requires { law.take(row, s); }) {
+        law.take(row, s);
+      } else {
+        law.return_stress(s, state);
+      }
       for (int k = 0; k < Law::states; ++k) {
         store(rows.state[k] + row, state[k]);
       }
@@ -260,6 +280,46 @@ StressSums update_rows(const StressMaterial& material, const Law& its_law,
   return lanes.total();
 }
 
+/// The same by a function of the whole block, which is called first.
+template <int Dim>
+StressSums update_rows(const StressMaterial& material, const BlockLaw auto& law,
+                       const DeformationBlock<Dim>& block, const StressRows& rows, int begin,
+                       int end) {
+  constexpr int components = Dim == 2 ? 4 : 6;
+  const int count = end - begin, variables = rows.variables;
+  const ElasticConstants still(LinearElastic{1.0, 0.0, 0.0});  // turns stresses and adds nothing
+  double strain[6 * block_rows], stress[6 * block_rows];
+  double state[most_state_variables * block_rows];
+  for (int k = 0; k < count; ++k) {
+    const int row = begin + k;
+    double s[components], e[components];
+    std::copy_n(rows.stress + row * components, components, s);
+    deform(still, block, row, 0.0, s, e);
+    const double free_strain = rows.free_strain ? rows.free_strain[row] : 0.0;
+    for (int c = 0; c < 6; ++c) {
+      strain[6 * k + c] = c < 3 ? e[c] - free_strain : c < components ? 0.5 * e[c] : 0.0;
+      stress[6 * k + c] = c < components ? s[c] : 0.0;
+    }
+    for (int v = 0; v < variables; ++v) {
+      state[variables * k + v] = rows.state[v][row];
+    }
+  }
+  const auto size = static_cast<std::size_t>(count);
+  law.return_block({count,
+                    variables,
+                    {strain, 6 * size},
+                    {stress, 6 * size},
+                    {state, size * static_cast<std::size_t>(variables)},
+                    rows.step,
+                    material.body});
+  for (int k = 0; k < count; ++k) {
+    for (int v = 0; v < variables; ++v) {
+      rows.state[v][begin + k] = state[variables * k + v];
+    }
+  }
+  return update_rows<Dim>(material, GivenStresses{stress, begin}, block, rows, begin, end);
+}
+
 }  // namespace
 
 ElasticConstants::ElasticConstants(const LinearElastic& elastic)
@@ -268,8 +328,8 @@ ElasticConstants::ElasticConstants(const LinearElastic& elastic)
       wave_modulus(elastic.wave_modulus()),
       density(elastic.density) {}
 
-StressMaterial::StressMaterial(const Solid& solid)
-    : ElasticConstants(elastic_part(solid)), law(law_of(solid)) {
+StressMaterial::StressMaterial(const Solid& solid, std::string of_body)
+    : ElasticConstants(elastic_part(solid)), law(law_of(solid)), body(std::move(of_body)) {
   check(solid);
 }
 

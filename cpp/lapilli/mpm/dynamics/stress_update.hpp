@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "lapilli/materials/solid.hpp"
 
 namespace lapilli {
@@ -12,9 +14,10 @@ struct ElasticConstants {
 
 /// A material made ready for blocks of points.
 struct StressMaterial : ElasticConstants {
-  explicit StressMaterial(const Solid& solid);
+  explicit StressMaterial(const Solid& solid, std::string body = "a body");
 
   SolidLaw law;
+  std::string body;  // whose it is, for messages
 };
 
 /// Points worked on at once, staged as arrays: [component][row].
@@ -35,6 +38,8 @@ struct StressRows {
   double* plastic;            // J, added to, or null
   double* opened;  // volume strain to close before it bears pressure; of solids that part only
   double* const* state = nullptr;  // of each state variable of the law
+  int variables = 0;               // how many
+  double step = 0.0;               // s
 };
 
 struct StressSums {

@@ -46,8 +46,8 @@ struct Loads {
 template <int Dim>
 class Equilibrium {
  public:
-  /// All arguments must outlive the object; `volume` (m^Dim) and `body` one a point. `system` and `solver` are kept between load steps so that a pattern that stands is not
-  /// analysed again.
+  /// All arguments must outlive the object; `volume` (m^Dim) and `body` one a point. `system` and
+  /// `solver` are kept between load steps so that a pattern that stands is not analysed again.
   Equilibrium(const Grid<Dim>& grid, std::span<const double> volume, std::span<const Index> body,
               const PointWeights<Dim>& weights, const CellState<Dim>& state,
               const SolidState& solids, const Loads<Dim>& loads, NodeSystem<Dim>& system,

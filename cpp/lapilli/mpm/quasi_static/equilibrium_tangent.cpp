@@ -239,18 +239,17 @@ double Equilibrium<Dim>::ghost_stiffness(const CellBox<Dim>& pair, int axis) con
 
 template <int Dim>
 bool Equilibrium<Dim>::yields_at(const Eigen::VectorXd& u) const {
-  return solids_.can_yield() &&
-         parallel_sum(volume_.size(), Index{0}, [&](Index p) -> Index {
-           return solids_.yields_after(p, body_[p], strain(p, u)) ? 1 : 0;
-         }) > 0;
+  return solids_.can_yield() && parallel_sum(volume_.size(), Index{0}, [&](Index p) -> Index {
+                                  return solids_.yields_after(p, body_[p], strain(p, u)) ? 1 : 0;
+                                }) > 0;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                        \
-  template PivotReport Equilibrium<Dim>::factorise();                                   \
+#define LAPILLI_INSTANTIATE(Dim)                                                       \
+  template PivotReport Equilibrium<Dim>::factorise();                                  \
   template PivotReport Equilibrium<Dim>::factorise_at(const Eigen::VectorXd&, double); \
-  template bool Equilibrium<Dim>::yields_at(const Eigen::VectorXd&) const;              \
-  template void Equilibrium<Dim>::assemble_points();                                    \
-  template void Equilibrium<Dim>::assemble_surfaces();                                  \
+  template bool Equilibrium<Dim>::yields_at(const Eigen::VectorXd&) const;             \
+  template void Equilibrium<Dim>::assemble_points();                                   \
+  template void Equilibrium<Dim>::assemble_surfaces();                                 \
   template double Equilibrium<Dim>::ghost_stiffness(const CellBox<Dim>& pair, int axis) const;
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)

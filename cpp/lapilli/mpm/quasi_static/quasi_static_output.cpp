@@ -74,7 +74,9 @@ double QuasiStatic<Dim>::roughness() const {
       body(value[a], node_of[{points_.body()[p], node}]);
     });
   };
-  const auto stress_at = [&](Index p) { return Eigen::Map<const Six>(solids_.stress().data() + 6 * p); };
+  const auto stress_at = [&](Index p) {
+    return Eigen::Map<const Six>(solids_.stress().data() + 6 * p);
+  };
   for (Index p = 0; p < points_.size(); ++p) {
     visit(p, [&](double share, Averaged& node) {
       node.stress += share * points_.volume()[p] * stress_at(p);
@@ -137,10 +139,14 @@ std::vector<std::string> QuasiStatic<Dim>::warnings() const {
 template <int Dim>
 std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() const {
   std::vector<std::pair<std::string, double>> numbers{
-      {"iterations", report_.newton.iterations},    {"residual", report_.newton.residual},
-      {"smallest pivot", report_.pivots.smallest},  {"largest pivot", report_.pivots.largest},
-      {"condition estimate", report_.condition},    {"halvings", report_.halvings},
-      {"deepest penetration", report_.penetration}, {"largest strain", solids_.largest_strain(points_)},
+      {"iterations", report_.newton.iterations},
+      {"residual", report_.newton.residual},
+      {"smallest pivot", report_.pivots.smallest},
+      {"largest pivot", report_.pivots.largest},
+      {"condition estimate", report_.condition},
+      {"halvings", report_.halvings},
+      {"deepest penetration", report_.penetration},
+      {"largest strain", solids_.largest_strain(points_)},
   };
   const char* axes[] = {"x", "y", "z"};
   for (std::size_t w = 0; w < boundary_.walls(); ++w) {

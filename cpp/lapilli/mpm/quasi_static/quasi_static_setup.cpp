@@ -93,12 +93,12 @@ void QuasiStatic<Dim>::start_half_widths() {
   }
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                          \
-  template QuasiStatic<Dim>::QuasiStatic(Points&, const Grid<Dim>&, ShapeFunction,         \
-                                         const std::vector<Solid>&, QuasiStaticSettings,   \
-                                         std::vector<Shape>);                              \
-  template void QuasiStatic<Dim>::choose_schemes();                                       \
-  template void QuasiStatic<Dim>::find_skin();                                            \
+#define LAPILLI_INSTANTIATE(Dim)                                                         \
+  template QuasiStatic<Dim>::QuasiStatic(Points&, const Grid<Dim>&, ShapeFunction,       \
+                                         const std::vector<Solid>&, QuasiStaticSettings, \
+                                         std::vector<Shape>);                            \
+  template void QuasiStatic<Dim>::choose_schemes();                                      \
+  template void QuasiStatic<Dim>::find_skin();                                           \
   template void QuasiStatic<Dim>::start_half_widths();
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)
@@ -111,8 +111,7 @@ std::unique_ptr<Physics> make_quasi_static(Points& points, const Vec3& lower, co
                                            std::vector<Shape> shapes) {
   if (points.dimension() == 3) {
     return std::make_unique<QuasiStatic<3>>(points, Grid<3>(lower, upper, cell), shape_function,
-                                            materials, std::move(settings),
-                                            std::move(shapes));
+                                            materials, std::move(settings), std::move(shapes));
   }
   require(points.dimension() == 2, "quasi_static needs two or three dimensions, got ",
           points.dimension());

@@ -33,6 +33,8 @@ SolidState::SolidState(Points& points, const std::vector<Solid>& solids)
     check(solid);
     elastic_.push_back(elastic_part(solid));
     laws_.push_back(law_of(solid));
+    require(has_tangent(laws_.back()),
+            "quasi_static needs the tangent of a solid, which a function does not give");
     can_yield_ = can_yield_ || yields(laws_.back());
   }
   for (Index p = 0; p < points.size(); ++p) {

@@ -53,8 +53,8 @@ class SolidState {
   std::vector<LinearElastic> elastic_;  // by body
   std::vector<SolidLaw> laws_;          // by body
   bool can_yield_ = false;
-  PointArray stress_;                    // Pa, rows x 6
-  std::unique_ptr<PointArray> strain_;   // rows x 6, where the stress does not tell it
+  PointArray stress_;                   // Pa, rows x 6
+  std::unique_ptr<PointArray> strain_;  // rows x 6, where the stress does not tell it
   StateArrays states_;
 };
 
