@@ -45,6 +45,7 @@ struct LoadedPoint {
       }
       if (miss.cwiseAbs().maxCoeff() <= tolerance * size || iteration == 60) {
         stress = reached;
+        volume += change.head<3>().sum();
         state = reached_state;
         return iteration;
       }
@@ -55,6 +56,7 @@ struct LoadedPoint {
   Solid solid;
   SolidLaw law;
   SymmetricTensor stress;
+  double volume = 0.0;  // strain
   std::array<double, most_state_variables> state{};
 };
 

@@ -102,3 +102,26 @@ TEST_CASE("a bar pulled between supports follows the table of its hardening") {
     CHECK(bar.iterations <= 8);
   }
 }
+
+TEST_CASE("soil in triaxial compression ends at its strength, with and without dilatancy") {
+  const LinearElastic soil{1e-9, 1e7, 0.3};
+  const double friction = 30.0, cohesion = 1e3, cell = -2e4;
+  const double passive = 3.0, expected = cell * passive - 2.0 * cohesion * std::sqrt(passive);
+  for (const double dilatancy : {friction, 0.0}) {
+    for (const Solid& solid :
+         {Solid(DruckerPrager{soil, friction, dilatancy, cohesion, ConeFit::compression}),
+          Solid(MohrCoulomb{soil, friction, dilatancy, cohesion})}) {
+      PulledBox<3> sample(solid, -0.015, -cell);
+      sample.run(10);
+      double worst = 0.0;
+      for (Index p = 0; p < sample.points.size(); ++p) {
+        worst = std::max({worst, std::abs(sample.stress(p, 0) / expected - 1.0),
+                          std::abs(sample.stress(p, 1) / cell - 1.0)});
+      }
+      INFO(std::visit([](const auto& one) { return one.kind; }, solid)
+           << ", dilatancy " << dilatancy << ": " << worst << ", iterations " << sample.iterations);
+      CHECK(worst < 1e-7);
+      CHECK(sample.iterations <= 48);
+    }
+  }
+}
