@@ -23,14 +23,12 @@ VonMises hardening() {
 /// length, the others are free or loaded by `pressure`.
 template <int Dim>
 struct PulledBox {
-  PulledBox(const Solid& solid, double strain, double pressure = 0.0, bool b_bar = true)
-      : points(Dim) {
+  PulledBox(const Solid& solid, double strain, double pressure = 0.0) : points(Dim) {
     const double low = 0.4, size = 2.0;
     Box box{std::vector<double>(Dim, low), std::vector<double>(Dim, low + size)};
     const FilledPoints filled = fill_cells(Shape(box), Lattice{Vec3::Zero(), 1.0, 2}, {}, Dim);
     points.append(filled.position, filled.volume, 0);
     QuasiStaticSettings settings;
-    settings.b_bar = b_bar;
     settings.reset = 1.0;  // on one grid: small strains stay exact
     settings.update_volumes = false;
     for (int axis = 0; axis < Dim; ++axis) {
@@ -83,24 +81,22 @@ struct PulledBox {
 TEST_CASE("a bar pulled between supports follows the table of its hardening") {
   const double end = 0.02, slope = 0.2e8 / 0.04, young = steel.youngs_modulus;
   const double stress = (end + 3.0e8 / slope - 0.01) / (1.0 / young + 1.0 / slope);
-  for (const bool b_bar : {false, true}) {
-    PulledBox<3> bar(hardening(), end, 0.0, b_bar);
-    bar.run(4);
-    double worst = 0.0, across = 0.0, strain = 0.0;
-    for (Index p = 0; p < bar.points.size(); ++p) {
-      worst = std::max(worst, std::abs(bar.stress(p, 0) / stress - 1.0));
-      across = std::max({across, std::abs(bar.stress(p, 1)), std::abs(bar.stress(p, 3))});
-      strain = std::max(strain, std::abs(bar.plastic_strain()[p] - (end - stress / young)));
-    }
-    INFO("b_bar " << b_bar << ": stress " << worst << ", across " << across / stress << ", strain "
-                  << strain << ", iterations " << bar.iterations);
-    // Newton's tolerance of 1e-10 on the forces, over the stiffness of the flow, 1 / 400 of the
-    // elastic one.
-    CHECK(worst < 1e-8);
-    CHECK(across < 1e-8 * stress);
-    CHECK(strain < 1e-8);
-    CHECK(bar.iterations <= 8);
+  PulledBox<3> bar(hardening(), end);
+  bar.run(4);
+  double worst = 0.0, across = 0.0, strain = 0.0;
+  for (Index p = 0; p < bar.points.size(); ++p) {
+    worst = std::max(worst, std::abs(bar.stress(p, 0) / stress - 1.0));
+    across = std::max({across, std::abs(bar.stress(p, 1)), std::abs(bar.stress(p, 3))});
+    strain = std::max(strain, std::abs(bar.plastic_strain()[p] - (end - stress / young)));
   }
+  INFO("stress " << worst << ", across " << across / stress << ", strain " << strain
+                 << ", iterations " << bar.iterations);
+  // The two supports give by 3/4 of the bandwidth of 1e-3 cells times stress over the modulus of
+  // uniaxial strain, 1.1e-3: a strain of 8e-7 over two cells, and its share of the hardening.
+  CHECK(strain < 1.5e-6);
+  CHECK(worst < 2.5e-6);
+  CHECK(across < 5e-7 * stress);
+  CHECK(bar.iterations <= 6);
 }
 
 TEST_CASE("soil in triaxial compression ends at its strength, with and without dilatancy") {
@@ -120,8 +116,11 @@ TEST_CASE("soil in triaxial compression ends at its strength, with and without d
       }
       INFO(std::visit([](const auto& one) { return one.kind; }, solid)
            << ", dilatancy " << dilatancy << ": " << worst << ", iterations " << sample.iterations);
-      CHECK(worst < 1e-7);
-      CHECK(sample.iterations <= 48);
+      // Newton's tolerance on forces that the supports' own, 1e3 times stiffer, are part of; where
+      // the last correction was one of many, what it left counts as often.
+      CHECK(worst < (dilatancy > 0.0 ? 3e-7 : 4e-6));
+      // Quadratic with the symmetric tangent of associated flow, linear without dilatancy.
+      CHECK(sample.iterations <= (dilatancy > 0.0 ? 6 : 80));
     }
   }
 }

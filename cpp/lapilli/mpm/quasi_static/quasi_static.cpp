@@ -14,6 +14,11 @@ namespace {
 // GIMP domains stay within these half-widths, in cells.
 constexpr double least_half_width = 0.02, largest_half_width = 0.499;
 
+/// The next larger share of the elastic stiffness in a tangent.
+double stiffer(double elastic_share) {
+  return elastic_share < 0.1 ? 0.1 : elastic_share < 0.5 ? 0.5 : 1.0;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -116,13 +121,22 @@ Equilibrium<Dim> QuasiStatic<Dim>::equilibrium_under(const Loads<Dim>& loads) {
 /// Newton's method from no displacement at all.
 template <int Dim>
 Eigen::VectorXd QuasiStatic<Dim>::solve(Equilibrium<Dim>& equilibrium, Report& report) {
-  constexpr int longer_where_it_yields = 4;
+  constexpr int longer_where_it_yields = 8;  // flow without dilatancy converges linearly
+  constexpr double stuck = 0.9;
   const bool may_yield = solids_.can_yield();
   Eigen::VectorXd u = Eigen::VectorXd::Zero(system_.unknowns());
+  double elastic_share = 1e-6, before = 0.0;
+  int corrections = 0;
   report.newton = solve_newton(
       u, [&](const Eigen::VectorXd& at) { return equilibrium.residual(at); },
       [&](const Eigen::VectorXd& force) {
-        follow_tangent(equilibrium, u, report);
+        if (may_yield) {
+          const double now = force.norm();
+          elastic_share =
+              corrections++ > 1 && now > stuck * before ? stiffer(elastic_share) : elastic_share;
+          before = now;
+        }
+        follow_tangent(equilibrium, u, elastic_share, report);
         return equilibrium.correction(force);
       },
       settings_.tolerance, settings_.max_iterations * (may_yield ? longer_where_it_yields : 1),
@@ -141,11 +155,11 @@ Eigen::VectorXd QuasiStatic<Dim>::solve(Equilibrium<Dim>& equilibrium, Report& r
   return u;
 }
 
-/// The tangent at `u` where points yield, as near to the consistent one as stays positive; the
-/// elastic stiffness, factorised once, where none does.
+/// The tangent at `u` where points yield, as near to the consistent one as stays positive and
+/// brings the solution nearer; the elastic stiffness, factorised once, where none does.
 template <int Dim>
 void QuasiStatic<Dim>::follow_tangent(Equilibrium<Dim>& equilibrium, const Eigen::VectorXd& u,
-                                      Report& report) {
+                                      double& elastic_share, Report& report) {
   if (!equilibrium.yields_at(u)) {
     if (!reference_.factorised) {
       equilibrium.factorise();
@@ -154,13 +168,15 @@ void QuasiStatic<Dim>::follow_tangent(Equilibrium<Dim>& equilibrium, const Eigen
     return;
   }
   reference_.factorised = false;
-  for (const double elastic_share : {1e-6, 0.1, 0.5, 1.0}) {
+  for (;; elastic_share = stiffer(elastic_share)) {
     report.pivots = equilibrium.factorise_at(u, elastic_share);
     if (report.pivots.not_positive == 0) {
       return;
     }
+    if (elastic_share == 1.0) {
+      require_positive(report.pivots);
+    }
   }
-  require_positive(report.pivots);
 }
 
 template <int Dim>

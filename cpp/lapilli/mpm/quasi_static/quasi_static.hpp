@@ -76,7 +76,8 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   double roughness() const;
   double farthest_moved() const;
   Eigen::VectorXd solve(Equilibrium<Dim>& equilibrium, Report& report);
-  void follow_tangent(Equilibrium<Dim>& equilibrium, const Eigen::VectorXd& u, Report& report);
+  void follow_tangent(Equilibrium<Dim>& equilibrium, const Eigen::VectorXd& u,
+                      double& elastic_share, Report& report);
   std::vector<Vec<Dim>> moves_of(const Equilibrium<Dim>& equilibrium,
                                  const Eigen::VectorXd& u) const;
   Eigen::VectorXd imbalance_at(double time);

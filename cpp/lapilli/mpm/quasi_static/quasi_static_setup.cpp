@@ -55,6 +55,9 @@ void QuasiStatic<Dim>::choose_schemes() {
           "quasi_static: bandwidth and gap_bandwidth must be positive, got ", bandwidth, " and ",
           settings_.gap_bandwidth, " cells");
   scheme_ = SupportScheme::of(settings_.enforcement, bandwidth, settings_.gap_bandwidth);
+  if (solids_.can_yield()) {
+    scheme_.consistency = 0.0;  // the traction of elastic moduli is not that of what yields
+  }
   ghost_ = settings_.ghost_penalty.value_or(literal ? 0.0 : 0.01);
   relaxation_ = settings_.relaxation.value_or(literal ? 0.0 : 0.5) * grid_.cell_size();
   reset_ = settings_.reset.value_or(literal ? 0.0 : 0.1) * grid_.cell_size();
