@@ -212,7 +212,8 @@ struct Convert<std::vector<Member>> {
   }
   static void load(const Where& where, py::handle given, std::vector<Member>& member) {
     member.clear();
-    if (where.key.single_allowed && !PyList_Check(given.ptr()) && !PyTuple_Check(given.ptr())) {
+    if (where.key.single_allowed && !PyList_Check(given.ptr()) && !PyTuple_Check(given.ptr()) &&
+        !(py::isinstance<py::array>(given) && given.cast<py::array>().ndim() > 0)) {
       Convert<Member>::load(where, given, member.emplace_back());
       return;
     }

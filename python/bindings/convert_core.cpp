@@ -14,17 +14,7 @@ thread_local FunctionCollector* collector = nullptr;
 class PythonFunction {
  public:
   PythonFunction(const py::object& callable, const Where& where)
-      : callable_(new py::object(callable),
-                  [](py::object* held) {
-                    const py::gil_scoped_acquire gil;
-                    delete held;
-                  }),
-        key_(where.key),
-        path_(where.path()) {
-    if (collector != nullptr) {
-      collector->functions.push_back(callable_);
-    }
-  }
+      : callable_(held_callable(callable)), key_(where.key), path_(where.path()) {}
 
   const py::object& callable() const { return *callable_; }
 
@@ -67,11 +57,8 @@ class PythonFunction {
     try {
       return (*callable_)(places, states, time);
     } catch (py::error_already_set& error) {
-      // The error of the user's own code, told where it was called from.
-      if (py::hasattr(error.value(), "add_note")) {
-        error.value().attr("add_note")(
-            message("in the function given for ", path_, ", called with (position, state, time)"));
-      }
+      add_note(error, message("in the function given for ", path_,
+                              ", called with (position, state, time)"));
       throw;
     }
   }
@@ -88,6 +75,23 @@ class PythonFunction {
 };
 
 }  // namespace
+
+std::shared_ptr<py::object> held_callable(const py::object& callable) {
+  std::shared_ptr<py::object> shared(new py::object(callable), [](py::object* held) {
+    const py::gil_scoped_acquire gil;
+    delete held;
+  });
+  if (collector != nullptr) {
+    collector->functions.push_back(shared);
+  }
+  return shared;
+}
+
+void add_note(py::error_already_set& error, const std::string& note) {
+  if (py::hasattr(error.value(), "add_note")) {
+    error.value().attr("add_note")(note);
+  }
+}
 
 FunctionCollector::FunctionCollector() : outer_(std::exchange(collector, this)) {}
 FunctionCollector::~FunctionCollector() { collector = outer_; }

@@ -27,6 +27,13 @@ class FunctionCollector {
   FunctionCollector* outer_;
 };
 
+/// A callable of Python as part of a C++ struct: let go of with the GIL held, whichever thread does
+/// so, and noted by the collector of this thread.
+std::shared_ptr<py::object> held_callable(const py::object& callable);
+
+/// Tell the error of a user's own code where it was called from.
+void add_note(py::error_already_set& error, const std::string& note);
+
 /// Throws std::invalid_argument unless times increase and every value is in the key's range.
 void check_table(const Where& where, const Table& table);
 

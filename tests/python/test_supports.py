@@ -187,7 +187,7 @@ def test_sections_that_do_not_go_together_are_refused(turned: lp.Scene) -> None:
     assert "moves the points itself" in refusal(moved)
     soft = block.block_scene(30, 0.02)
     soft.bodies[0].material = [lp.Thermal(density=1, specific_heat=1, conductivity=1)]
-    assert "no elastic material" in refusal(soft)
+    assert "no solid material" in refusal(soft)
     infinite = block.block_scene(30, 0.02)
     infinite.time.steps = None
     assert "time.steps" in refusal(infinite)

@@ -1,13 +1,19 @@
 #pragma once
 
+#include <vector>
+
 #include "lapilli/core/describe.hpp"
+#include "lapilli/materials/state_variable.hpp"
 
 namespace lapilli {
+
+struct ElasticLaw;  // stiffness.hpp
 
 /// Isotropic linear elastic solid. Applied to the rate of deformation it is hypoelastic: large
 /// rotations are exact, large elastic strains are not modelled.
 struct LinearElastic {
   static constexpr const char* kind = "elastic";
+  using Law = ElasticLaw;
   double density = 0.0;         // kg/m^3, of the undeformed body
   double youngs_modulus = 0.0;  // Pa
   double poissons_ratio = 0.0;  // in (-1, 0.5)
@@ -21,6 +27,9 @@ struct LinearElastic {
     visit(Key("poissons_ratio").range(-1.0, 0.5, true).text("lateral contraction, in (-1, 0.5)"),
           self.poissons_ratio);
   }
+
+  const LinearElastic& elastic_part() const { return *this; }
+  std::vector<StateVariable> state_variables() const { return {}; }
 
   /// First Lame constant, Pa.
   double lambda() const {

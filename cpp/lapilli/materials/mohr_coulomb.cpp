@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "lapilli/core/require.hpp"
-#include "lapilli/materials/principal.hpp"
+#include "lapilli/materials/slope_of_return.hpp"
 
 namespace lapilli {
 
@@ -23,72 +23,33 @@ void check(const MohrCoulomb& material) {
           "Mohr-Coulomb: tension_cutoff must not be negative (Pa), got ", material.tension_cutoff);
 }
 
-MohrCoulombReturn::MohrCoulombReturn(const MohrCoulomb& material) {
+namespace {
+
+MohrCoulombNumbers<double> numbers_of(const MohrCoulomb& material) {
   check(material);
   const double degree = std::numbers::pi / 180.0;
   const double sine = std::sin(material.friction_angle * degree);
   const double cosine = std::cos(material.friction_angle * degree);
-  const double dilatancy = std::sin(material.dilatancy_angle * degree);
-  const double nu = material.elastic.poissons_ratio;
-  above = 1.0 + sine;
-  below = cosine * cosine / above;  // 1 - sin phi, without cancellation
-  strength = 2.0 * material.cohesion * cosine;
-
-  // Elastic stress of the flow direction (1 + sin psi, 0, sin psi - 1), over 2 mu.
-  const double volumetric = 2.0 * dilatancy * nu / (1.0 - 2.0 * nu);
-  flow1 = volumetric + 1.0 + dilatancy;
-  flow2 = volumetric;
-  flow3 = volumetric + dilatancy - 1.0;
-  flow_left = 0.5 * (flow1 + flow2);
-  flow_right = 0.5 * (flow2 + flow3);
-  plane = 1.0 / (above * flow1 - below * flow3);
-  left = 1.0 / (above * flow_left - below * flow3);
-  right = 1.0 / (above * flow1 - below * flow_right);
-
-  // Without friction the cone has no apex: the cut-off is then out of reach, not infinite.
-  const double unreachable = 1e100;
-  const double apex = sine > 0.0 ? strength / (2.0 * sine) : unreachable;
-  tension = std::min({material.tension_cutoff, apex, unreachable});
-  tension3 = std::min((above * tension - strength) / below, tension);
-  poissons_ratio = nu;
-  lateral = nu / (1.0 - nu);
+  return {sine,
+          cosine * cosine / (1.0 + sine),
+          2.0 * material.cohesion * cosine,
+          std::sin(material.dilatancy_angle * degree),
+          material.tension_cutoff,
+          material.elastic.poissons_ratio};
 }
 
-SymmetricTensor return_stress(const MohrCoulombReturn& material, const SymmetricTensor& trial) {
-  SymmetricTensor stress = trial;
-  return_stresses(material, stress.components.data(), 1, 1);
-  return stress;
-}
+}  // namespace
 
-void return_stresses(const MohrCoulombReturn& material, double* stress, int stride, int rows) {
-  const MohrCoulombReturn m = material;
-  for_quads(0, rows, [&m, stress, stride]<class Real>(int row) {
-    Real s[6];
-    for (int c = 0; c < 6; ++c) {
-      s[c] = load<Real>(stress + c * stride + row);
-    }
-    const auto sorted = [&m](Real t1, Real t2, Real t3) { return return_sorted(m, t1, t2, t3); };
-    apply_full(sorted, s[0], s[1], s[2], s[3], s[4], s[5]);
-    for (int c = 0; c < 6; ++c) {
-      store(stress + c * stride + row, s[c]);
-    }
-  });
-}
+MohrCoulombLaw::MohrCoulombLaw(const MohrCoulomb& material)
+    : MohrCoulombNumbers<double>(numbers_of(material)) {}
 
-void return_stresses_plane_strain(const MohrCoulombReturn& material, double* stress, int stride,
-                                  int rows) {
-  const MohrCoulombReturn m = material;
-  for_quads(0, rows, [&m, stress, stride]<class Real>(int row) {
-    Real s[4];
-    for (int c = 0; c < 4; ++c) {
-      s[c] = load<Real>(stress + c * stride + row);
-    }
-    const auto sorted = [&m](Real t1, Real t2, Real t3) { return return_sorted(m, t1, t2, t3); };
-    apply_plane(sorted, s[0], s[1], s[2], s[3]);
-    for (int c = 0; c < 4; ++c) {
-      store(stress + c * stride + row, s[c]);
-    }
-  });
+SymmetricTensor MohrCoulombLaw::stress_and_slope(const SymmetricTensor& trial, double* /*state*/,
+                                                 StressSlope& slope) const {
+  return differentiate_principal(
+      [this](const auto& t1, const auto& t2, const auto& t3) {
+        return return_sorted<double>(*this, t1, t2, t3);
+      },
+      trial, slope);
 }
 
 }  // namespace lapilli

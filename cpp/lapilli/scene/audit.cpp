@@ -205,11 +205,8 @@ struct IdleMaterial {
   std::string operator()(const Newtonian&) const {
     return scene.peridynamics && scene.peridynamics->flow ? "" : "there is no [peridynamics.flow]";
   }
-  std::string operator()(const LinearElastic&) const {
+  std::string operator()(const HasElasticPart auto&) const {
     return scene.dynamics || scene.quasi_static ? "" : "nothing deforms in this scene";
-  }
-  std::string operator()(const MohrCoulomb&) const {
-    return scene.dynamics ? "" : "the scene has no [dynamics]";
   }
   template <class Coupling>
   std::string operator()(const Coupling&) const {

@@ -10,9 +10,8 @@
 #include "lapilli/geometry/prescribed_motion.hpp"
 #include "lapilli/geometry/shape.hpp"
 #include "lapilli/materials/coupling.hpp"
-#include "lapilli/materials/elastic.hpp"
-#include "lapilli/materials/mohr_coulomb.hpp"
 #include "lapilli/materials/newtonian.hpp"
+#include "lapilli/materials/solid.hpp"
 #include "lapilli/materials/thermal.hpp"
 #include "lapilli/mpm/dynamics/geostatic.hpp"
 
@@ -20,7 +19,7 @@ namespace lapilli {
 
 /// What a body is made of; each physics takes the one it knows.
 using Material =
-    std::variant<Thermal, LinearElastic, Newtonian, MohrCoulomb, ThermalExpansion, PlasticHeating>;
+    Joined<std::variant<Thermal, Newtonian, ThermalExpansion, PlasticHeating>, Solid>::type;
 
 /// How a shape is filled with points: each with the volume and the centroid of its part of the
 /// shape, or whole boxes of a lattice whose middles lie inside, as in the papers.
@@ -115,5 +114,8 @@ const Wanted* material_in(const Body& body) {
   }
   return nullptr;
 }
+
+/// The solids that a body is made of: one, where mechanics move it.
+std::vector<Solid> solids_in(const Body& body);
 
 }  // namespace lapilli

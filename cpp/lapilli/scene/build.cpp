@@ -112,10 +112,10 @@ std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
 }
 
 std::unique_ptr<Physics> quasi_static_of(const Scene& scene, Points& points) {
-  std::vector<LinearElastic> materials;
+  std::vector<Solid> materials;
   std::vector<Shape> shapes;
   for (const Body& body : scene.bodies) {
-    materials.push_back(material_of<LinearElastic>(body));
+    materials.push_back(solids_in(body).front());
     if (const std::optional<Shape> shape = placed_shape(body)) {
       shapes.push_back(*shape);
     }
@@ -130,15 +130,6 @@ std::unique_ptr<Physics> quasi_static_of(const Scene& scene, Points& points) {
   });
 }
 
-Solid solid_of(const Body& body) {
-  for (const Material& material : body.material) {
-    if (const auto* elastic = std::get_if<LinearElastic>(&material)) {
-      return *elastic;
-    }
-  }
-  return material_of<MohrCoulomb>(body);
-}
-
 template <int Dim>
 std::unique_ptr<Dynamics<Dim>> dynamics_of(const Scene& scene, const Grid<Dim>& grid,
                                            const std::vector<FilledPoints>& filled,
@@ -146,8 +137,10 @@ std::unique_ptr<Dynamics<Dim>> dynamics_of(const Scene& scene, const Grid<Dim>& 
   DynamicsProblem<Dim> problem{
       grid, scene.grid.shape_function, {}, *scene.dynamics, distance_of(scene)};
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    DynamicsBody body{solid_of(scene.bodies[k]), half_width_of(scene, filled[k]), {}, {}};
-    body.name = scene.bodies[k].name;
+    const std::string& name = scene.bodies[k].name;
+    DynamicsBody body{solids_in(scene.bodies[k]).front(), half_width_of(scene, filled[k]), {}, {}};
+    body.name = name;
+    body.label = name.empty() ? message("body ", k) : message("body '", name, "'");
     if (!scene.bodies[k].velocity.empty()) {
       body.velocity = [start = place(scene.bodies[k].velocity)](const Vec3&) { return start; };
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <functional>
 #include <optional>
 #include <type_traits>
 #include <variant>
@@ -39,6 +40,12 @@ template <class T>
 inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
+
+/// A function from a program.
+template <class T>
+inline constexpr bool is_function = false;
+template <class T>
+inline constexpr bool is_function<std::function<T>> = true;
 
 /// The std::variant that `kinded` is or derives from.
 template <class... T>

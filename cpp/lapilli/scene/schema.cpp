@@ -32,7 +32,7 @@ class SchemaWriter {
     }
     const T defaults{};
     auto add = [&]<class Member>(const Key& key, const Member& member) {
-      if constexpr (!std::is_same_v<Member, std::optional<GivenPoints>>) {
+      if constexpr (!std::is_same_v<Member, std::optional<GivenPoints>> && !is_function<Member>) {
         properties.push_back(entry(key.name, annotated(schema_of<Member>(key), key, member)));
         if (key.is_required) {
           required.push_back(text(key.name));

@@ -83,6 +83,8 @@ Tree TreeWriter::write(const T& member, const Key& key, const std::string& path)
         variant_of(member));
   } else if constexpr (Described<T>) {
     return {write_struct(member, path), {}};
+  } else if constexpr (is_function<T>) {
+    return member ? no_file_form(path, "functions") : Tree{};
   } else {
     return no_file_form(path, "arrays");
   }

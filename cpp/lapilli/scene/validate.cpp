@@ -131,17 +131,27 @@ void check_material(const Known& material) {
 void check_material(const ThermalExpansion&) {}
 void check_material(const PlasticHeating&) {}
 
+/// "elastic, mohr_coulomb": the kinds of a variant.
+template <class... Kinds>
+std::string kinds_of(const std::variant<Kinds...>*) {
+  std::vector<std::string> kinds{Kinds::kind...};
+  return joined(kinds);
+}
+std::string solid_kinds() { return kinds_of(static_cast<const Solid*>(nullptr)); }
+
 bool is_coupling(const Material& material) {
   return std::holds_alternative<ThermalExpansion>(material) ||
          std::holds_alternative<PlasticHeating>(material);
 }
 
-double density_of(const Thermal& material) { return material.density; }
-double density_of(const LinearElastic& material) { return material.density; }
-double density_of(const MohrCoulomb& material) { return material.elastic.density; }
-double density_of(const Newtonian& material) { return material.density; }
-double density_of(const ThermalExpansion&) { return 0.0; }
-double density_of(const PlasticHeating&) { return 0.0; }
+/// Of the undeformed body, kg/m^3; 0 of a material without one.
+struct DensityOf {
+  double operator()(const HasElasticPart auto& solid) const { return solid.elastic_part().density; }
+  double operator()(const Thermal& material) const { return material.density; }
+  double operator()(const Newtonian& material) const { return material.density; }
+  double operator()(const ThermalExpansion&) const { return 0.0; }
+  double operator()(const PlasticHeating&) const { return 0.0; }
+};
 
 void check_motion(const Scene& scene, const Motion& motion, const std::string& path) {
   if (const auto* turn = std::get_if<Rotation>(&motion)) {
@@ -156,7 +166,7 @@ void check_motion(const Scene& scene, const Motion& motion, const std::string& p
   }
 }
 
-void check_dynamics_body(const Scene& scene, const Body& body, int solid, const std::string& path) {
+void check_dynamics_body(const Scene& scene, const Body& body, const std::string& path) {
   if (!scene.dynamics) {
     require_at(body.velocity.empty() || scene.peridynamics, scene, path + ".velocity",
                "has no effect without [dynamics] or [peridynamics]; a prescribed motion is "
@@ -164,8 +174,8 @@ void check_dynamics_body(const Scene& scene, const Body& body, int solid, const 
     require_at(!body.geostatic, scene, path + ".geostatic", "has no effect without [dynamics]");
     return;
   }
-  require_at(solid == 1, scene, path + ".material",
-             "has no elastic or mohr_coulomb material, which [dynamics] needs");
+  require_at(solids_in(body).size() == 1, scene, path + ".material", "has no solid material (",
+             solid_kinds(), "), which [dynamics] needs");
   require_at(!body.motion, scene, path + ".motion",
              "contradicts [dynamics], which moves every body");
   if (body.geostatic) {
@@ -174,7 +184,7 @@ void check_dynamics_body(const Scene& scene, const Body& body, int solid, const 
   }
   double density = 0.0;
   for (const Material& material : body.material) {
-    const double here = std::visit([](const auto& known) { return density_of(known); }, material);
+    const double here = std::visit(DensityOf(), material);
     require_at(density == 0.0 || here == 0.0 || here == density, scene, path + ".material",
                "has two densities, ", density, " and ", here,
                " kg/m^3; both are of the undeformed body and must agree");
@@ -195,34 +205,31 @@ void check_place(const Scene& scene, const Body& body, const std::string& path) 
 }
 
 void check_body_material(const Scene& scene, const Body& body, const std::string& path) {
-  int thermal = 0, elastic = 0, newtonian = 0, solid = 0;
+  int thermal = 0, newtonian = 0;
   for (const Material& material : body.material) {
     at_place(scene, path + ".material",
              [&] { std::visit([](const auto& known) { check_material(known); }, material); });
     require_at(!is_coupling(material) || (scene.heat && scene.dynamics), scene, path + ".material",
                "couples heat and motion, the scene needs both [heat] and [dynamics]");
     thermal += std::holds_alternative<Thermal>(material);
-    elastic += std::holds_alternative<LinearElastic>(material);
     newtonian += std::holds_alternative<Newtonian>(material);
-    solid += std::holds_alternative<LinearElastic>(material) ||
-             std::holds_alternative<MohrCoulomb>(material);
   }
   require_at(thermal <= 1, scene, path + ".material", "has ", thermal, " thermal materials");
   require_at(newtonian <= 1, scene, path + ".material", "has ", newtonian, " newtonian materials");
   require_at(!scene.heat || thermal == 1, scene, path + ".material",
              "has no thermal material, which [heat] needs");
-  require_at(elastic <= 1, scene, path + ".material", "has ", elastic, " elastic materials");
-  require_at(!scene.quasi_static || elastic == 1, scene, path + ".material",
-             "has no elastic material, which [quasi_static] needs");
+  const std::size_t solids = solids_in(body).size();
+  require_at(solids <= 1, scene, path + ".material", "has ", solids, " solid materials");
+  require_at(!scene.quasi_static || solids == 1, scene, path + ".material",
+             "has no solid material (", solid_kinds(), "), which [quasi_static] needs");
   require_at(!scene.quasi_static || !body.motion, scene, path + ".motion",
              "contradicts [quasi_static], which moves the points itself");
-  require_at(solid <= 1, scene, path + ".material", "has ", solid, " solid materials");
   require_at(!body.fill || body.shape, scene, path + ".fill",
              "has no effect on a body without a shape");
   require_at(!scene.peridynamics || body.fill != Filling::exact || conducts_at_rest(scene), scene,
              path + ".fill",
              "must be \"lattice\" in peridynamic flow, whose operators need points of one volume");
-  check_dynamics_body(scene, body, solid, path);
+  check_dynamics_body(scene, body, path);
 }
 
 void check_quasi_static(const Scene& scene) {

@@ -114,7 +114,7 @@ TEST_CASE("every trial stress ends on or inside the yield surface and dissipates
   std::vector<double> block(6 * trials);
   for (int k = 0; k < materials; ++k) {
     const MohrCoulomb m = draw.material();
-    const MohrCoulombReturn constants(m);
+    const MohrCoulombLaw constants(m);
     std::vector<SymmetricTensor> trial(trials);
     for (int row = 0; row < trials; ++row) {
       trial[row] = draw.stress();
@@ -122,7 +122,7 @@ TEST_CASE("every trial stress ends on or inside the yield surface and dissipates
         block[c * trials + row] = trial[row][c];
       }
     }
-    return_stresses(constants, block.data(), trials, trials);
+    return_stresses<6>(constants, block.data(), nullptr, trials, trials);
     for (int row = 0; row < trials; ++row) {
       SymmetricTensor s;
       for (int c = 0; c < 6; ++c) {
@@ -151,13 +151,13 @@ TEST_CASE("with dilation equal to friction the return is the closest point in th
     m.cohesion = draw.uniform(0, 1);
     m.tension_cutoff = draw.chance(0.5) ? draw.uniform(0, 2) : m.tension_cutoff;
     m.elastic.youngs_modulus = 1.0;
-    const MohrCoulombReturn constants(m);
+    const MohrCoulombLaw constants(m);
     SymmetricTensor trial = draw.stress();
     const double size = norm(trial);
     for (double& component : trial.components) {
       component *= 3.0 / size;
     }
-    const SymmetricTensor s = return_stress(constants, trial);
+    const SymmetricTensor s = return_point(constants, trial, nullptr);
     const SymmetricTensor strain = compliance(m.elastic, minus(trial, s));
     for (int other = 0; other < 50; ++other) {
       SymmetricTensor y;
@@ -187,7 +187,7 @@ TEST_CASE("plastic strain is a non-negative sum of the flow of the surfaces the 
     const double apex = m.cohesion / std::tan(m.friction_angle * degree);
     const double cutoff = std::min(m.tension_cutoff, apex);
     SymmetricTensor trial(draw.uniform(-4, 4), draw.uniform(-4, 4), draw.uniform(-4, 4), 0, 0, 0);
-    const SymmetricTensor s = return_stress(MohrCoulombReturn(m), trial);
+    const SymmetricTensor s = return_point(MohrCoulombLaw(m), trial, nullptr);
     const SymmetricTensor strain = compliance(m.elastic, minus(trial, s));
     Eigen::VectorXd increment(3);
     increment << strain[0], strain[1], strain[2];
@@ -234,7 +234,7 @@ TEST_CASE("triaxial compression and extension end at the analytic strengths") {
     m.elastic = {2000.0, 1e7, 0.3};
     m.friction_angle = friction;
     m.cohesion = 1e3;
-    const MohrCoulombReturn constants(m);
+    const MohrCoulombLaw constants(m);
     const double passive = std::pow(std::tan((45.0 + 0.5 * friction) * degree), 2);
     const double strength = 2 * m.cohesion * std::sqrt(passive);
     const double cell = -5e3, rate = 1e-4;
@@ -253,7 +253,7 @@ TEST_CASE("triaxial compression and extension end at the analytic strengths") {
           trial[0] += lambda * trace + 2 * shear * lateral;
           trial[1] += lambda * trace + 2 * shear * lateral;
           trial[2] += lambda * trace + 2 * shear * axial;
-          next = return_stress(constants, trial);
+          next = return_point(constants, trial, nullptr);
           const double miss = cell - 0.5 * (next[0] + next[1]);
           if (std::abs(miss) < 1e-12 * std::abs(cell)) {
             break;
@@ -279,14 +279,14 @@ TEST_CASE("plane strain compression without dilation ends at the analytic mean s
   m.elastic = {2000.0, 1e7, 0.3};
   m.friction_angle = 30.0;
   m.cohesion = 200.0;
-  const MohrCoulombReturn constants(m);
+  const MohrCoulombLaw constants(m);
   const double start = -1e4;
   double s[4] = {start, start, 2 * 0.3 * start, 0};
   for (int step = 0; step < 1000; ++step) {
     const double rate = 1e-5, shear = m.elastic.shear_modulus();
     s[0] += 2 * shear * rate;
     s[1] -= 2 * shear * rate;
-    return_stresses_plane_strain(constants, s, 1, 1);
+    return_stresses<4>(constants, s, nullptr, 1, 1);
   }
   const double radius = -start * std::sin(30 * degree) + 200 * std::cos(30 * degree);
   REQUIRE(s[0] == Approx(start + radius).epsilon(1e-10));
@@ -297,7 +297,7 @@ TEST_CASE("plane strain compression without dilation ends at the analytic mean s
 TEST_CASE("plane strain and the full form agree, alone and in blocks") {
   Draw draw;
   for (int k = 0; k < 500; ++k) {
-    const MohrCoulombReturn constants(draw.material());
+    const MohrCoulombLaw constants(draw.material());
     const int rows = 7;  // a quad and a rest
     std::vector<double> full(6 * rows), plane(4 * rows);
     double size = 0.0;
@@ -312,10 +312,10 @@ TEST_CASE("plane strain and the full form agree, alone and in blocks") {
       for (int c = 0; c < 4; ++c) {
         plane[c * rows + row] = s[c];
       }
-      alone.push_back(return_stress(constants, s));
+      alone.push_back(return_point(constants, s, nullptr));
     }
-    return_stresses(constants, full.data(), rows, rows);
-    return_stresses_plane_strain(constants, plane.data(), rows, rows);
+    return_stresses<6>(constants, full.data(), nullptr, rows, rows);
+    return_stresses<4>(constants, plane.data(), nullptr, rows, rows);
     for (int row = 0; row < rows; ++row) {
       for (int c = 0; c < 6; ++c) {
         REQUIRE(full[c * rows + row] == alone[row][c]);  // the same arithmetic in both forms

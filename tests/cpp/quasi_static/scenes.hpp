@@ -108,10 +108,10 @@ struct LinearProblem {
       const std::vector<Vec<2>> motion(facet.points.size(), wall.motion);
       loads.walls.push_back(support_term<2>(grid, *state, facet, wall.kind, motion, scheme));
     }
-    stress.assign(6 * points.size(), 0.0);
+    solids = std::make_unique<SolidState>(points, std::vector<Solid>{elastic});
     equilibrium =
         std::make_unique<Equilibrium<2>>(grid, std::as_const(points).volume(), points.body(),
-                                         weights, *state, materials, stress, loads, system, solver);
+                                         weights, *state, *solids, loads, system, solver);
     pivots = equilibrium->factorise();
     u = Eigen::VectorXd::Zero(system.unknowns());
     newton = solve_newton(
@@ -141,7 +141,7 @@ struct LinearProblem {
   PointWeights<2> weights;
   std::unique_ptr<CellState<2>> state;
   Loads<2> loads;
-  std::vector<double> stress;
+  std::unique_ptr<SolidState> solids;
   NodeSystem<2> system;
   DirectSolver solver;
   std::unique_ptr<Equilibrium<2>> equilibrium;

@@ -24,7 +24,7 @@ struct Ring {
         {"rim", HeldMotion::roller, {Disk{{0.0, 0.0}, outer}, true, {}, {}}, {}});
     start.assign(points.position().begin(), points.position().end());
     physics = std::make_unique<QuasiStatic<2>>(points, grid, ShapeFunction::linear,
-                                               std::vector{elastic}, settings);
+                                               std::vector<Solid>{elastic}, settings);
     physics->advance({0.0, 1.0, 0});
   }
 

@@ -33,7 +33,8 @@ Answer pull(double first, double second, double load, double cell) {
   settings.tractions = {{"pull", {{}, false, {{8.3, 0.3}, {8.3, 2.7}}, {}}, {load, 0.0}}};
   try {
     QuasiStatic<2> physics(points, grid, ShapeFunction::linear,
-                           {{1e-9, first, 0.0}, {1e-9, second, 0.0}}, settings);
+                           {LinearElastic{1e-9, first, 0.0}, LinearElastic{1e-9, second, 0.0}},
+                           settings);
     physics.advance({0.0, 1.0, 0});
     double far = 0.0;
     for (Index p = 0; p < points.size(); ++p) {

@@ -32,8 +32,8 @@ struct Block {
                            Table{{0.0, 1.0}, {0.0, 3.0 * -block.e2[1]}}};
   }
   QuasiStatic<2>& start() {
-    physics = std::make_unique<QuasiStatic<2>>(points, grid, shape_function, std::vector{elastic},
-                                               settings);
+    physics = std::make_unique<QuasiStatic<2>>(points, grid, shape_function,
+                                               std::vector<Solid>{elastic}, settings);
     return *physics;
   }
   std::string refusal() {

@@ -30,8 +30,8 @@ struct PulledSquare {
     const Corners c = square.corners();
     settings.supports = {{"base", HeldMotion::fixed, {{}, false, numbers({c[0], c[1]}), {}}, {}}};
     settings.tractions = {{"pull", {{}, false, numbers({c[2], c[3]}), {}}, {1e-3, 2e-3}}};
-    physics = std::make_unique<QuasiStatic<2>>(points, grid, shape_function, std::vector{elastic},
-                                               settings);
+    physics = std::make_unique<QuasiStatic<2>>(points, grid, shape_function,
+                                               std::vector<Solid>{elastic}, settings);
     physics->advance({0.0, 1.0, 0});
   }
 

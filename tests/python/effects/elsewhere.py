@@ -57,6 +57,7 @@ ELSEWHERE: dict[str, str] = {
     "Heat.boundaries": "the keys of each boundary condition",
     "Heat.solver": "solvers agree: tests/cpp/mpm/test_theta.cpp",
     "MohrCoulomb.density": "one number with that of the thermal material; read as that of Elastic",
+    "FunctionSolid.state": "tests/python/test_materials.py",
     "Obstacle": "tests/cpp/dynamics/test_obstacles.cpp",
     "Dynamics.obstacles": "the keys of Obstacle",
     "Dynamics.contacts": "the keys of BodyContact",

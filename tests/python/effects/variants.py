@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
 import scenes
 
 import lapilli as lp
@@ -174,3 +175,47 @@ def slow_disk() -> lp.Scene:
     scene = automatic(scenes.disk(tolerance=1e-2))
     scene.time.end = 40.0
     return scene
+
+
+def block_of(material: object) -> lp.Scene:
+    """The block of sand of `soil_block`, of another solid and without heat."""
+    scene = scenes.falling_block(
+        gravity=(0.0, -10.0), grid_boundaries=[lp.NoSlipBoundary(face="y_lower")]
+    )
+    scene.bodies[0].material = material
+    return scene
+
+
+ELASTIC = {"density": 1000, "youngs_modulus": 1e5, "poissons_ratio": 0.3}
+
+
+def cone_block() -> lp.Scene:
+    return block_of(lp.DruckerPrager(**ELASTIC, friction_angle=20.0, cohesion=50.0))
+
+
+def metal_block() -> lp.Scene:
+    return block_of(lp.VonMises(**ELASTIC, yield_stress=(500.0, 800.0), plastic_strain=(0.0, 0.01)))
+
+
+def tabulated_block() -> lp.Scene:
+    return block_of(
+        lp.TabulatedMohrCoulomb(
+            **ELASTIC,
+            plastic_strain=(0.0, 0.01),
+            friction_angle=(30.0, 20.0),
+            dilatancy_angle=(5.0, 0.0),
+            cohesion=(50.0, 0.0),
+        )
+    )
+
+
+def soft(strain: np.ndarray, stress: np.ndarray, state: np.ndarray, step: float) -> np.ndarray:
+    return stress + 5e4 * strain
+
+
+def softer(strain: np.ndarray, stress: np.ndarray, state: np.ndarray, step: float) -> np.ndarray:
+    return stress + 2e4 * strain
+
+
+def function_block() -> lp.Scene:
+    return block_of(lp.FunctionSolid(**ELASTIC, function=soft))

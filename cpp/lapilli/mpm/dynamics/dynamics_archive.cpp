@@ -31,6 +31,7 @@ void Dynamics<Dim>::save(Archive& archive) const {
   if (data_.free_strain) {
     keep("free_strain", *data_.free_strain);
   }
+  data_.states.save(archive, "dynamics/state/");
   data_.order.save(archive, "dynamics/strips");
   if (loads_) {
     loads_->save(archive, "dynamics/loads");
@@ -81,6 +82,7 @@ void Dynamics<Dim>::load(const Archive& archive) {
   if (data_.free_strain) {
     fetch("free_strain", *data_.free_strain);
   }
+  data_.states.load(archive, "dynamics/state/");
   data_.order.load(archive, "dynamics/strips");
   if (loads_) {
     loads_->load(archive, "dynamics/loads");

@@ -199,9 +199,11 @@ std::vector<Field> Dynamics<Dim>::fields() {
   if (output_density_.empty()) {
     refresh_output();
   }
-  return {{"velocity", "m/s", Dim, data_.velocity.values()},
-          {"stress", "Pa", 6, output_stress_},
-          {"density", "kg/m^3", 1, output_density_}};
+  std::vector<Field> all{{"velocity", "m/s", Dim, data_.velocity.values()},
+                         {"stress", "Pa", 6, output_stress_},
+                         {"density", "kg/m^3", 1, output_density_}};
+  std::ranges::copy(data_.states.fields(), std::back_inserter(all));
+  return all;
 }
 
 template double Dynamics<2>::kinetic_energy() const;

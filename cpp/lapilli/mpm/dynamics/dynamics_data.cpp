@@ -69,6 +69,18 @@ double full_cell(const DynamicsData<Dim>& data) {
   return density * data.grid.cell_volume();
 }
 
+namespace {
+
+std::vector<std::vector<StateVariable>> variables_of(const std::vector<DynamicsBody>& bodies) {
+  std::vector<std::vector<StateVariable>> all;
+  for (const DynamicsBody& body : bodies) {
+    all.push_back(state_variables(body.material));
+  }
+  return all;
+}
+
+}  // namespace
+
 template <int Dim>
 DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& problem)
     : grid(problem.grid),
@@ -79,6 +91,7 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
       mass(of_points, 1),
       velocity(of_points, Dim),
       stress(of_points, stress_components),
+      states(of_points, variables_of(problem.bodies)),
       order(problem.grid, problem.shape == ShapeFunction::linear ? 2 : 3),
       fields(problem.grid),
       nodes(problem.grid, problem.shape, problem.settings) {
@@ -90,7 +103,7 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
     require(body.half_width > 0.0 && body.half_width <= 0.5,
             "half width of a point must lie in (0, 0.5] cells, got ", body.half_width);
     half_widths.push_back(shape == ShapeFunction::bspline ? 0.5 : body.half_width);
-    materials.emplace_back(body.material);
+    materials.emplace_back(body.material, body.label);
   }
   with_transfer(shape, settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
     moves_with_mean = !is_affine<transfer, Shape>;
@@ -99,7 +112,7 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
     affine = std::make_unique<PointArray>(points, Dim * Dim);
     carried = std::make_unique<PointArray>(points, Dim);
   }
-  if (std::ranges::any_of(materials, [](const auto& one) { return one.yield.has_value(); })) {
+  if (std::ranges::any_of(materials, [](const auto& one) { return parts(one.law); })) {
     opened = std::make_unique<PointArray>(points, 1);
   }
   if (nodes.fades()) {

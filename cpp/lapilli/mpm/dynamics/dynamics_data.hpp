@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lapilli/core/points.hpp"
+#include "lapilli/materials/state_arrays.hpp"
 #include "lapilli/mpm/dynamics/dynamics_problem.hpp"
 #include "lapilli/mpm/dynamics/grid_boundaries.hpp"
 #include "lapilli/mpm/dynamics/node_fields.hpp"
@@ -93,11 +94,12 @@ struct DynamicsData {
   PointArray stress;                        // Pa; xx yy zz xy, and yz xz in 3D
   std::unique_ptr<PointArray> affine;       // gradient, 1/s; APIC: sum v (x_I - x) S, m2/s
   std::unique_ptr<PointArray> carried;      // m/s, what moved the point last; with `affine`
-  std::unique_ptr<PointArray> opened;       // volume strain between grains that have parted; soil
+  std::unique_ptr<PointArray> opened;       // volume strain between grains that have parted
   std::unique_ptr<PointArray> strain_rate;  // 1/s, of the nodes around it, last; blended_apic
   std::unique_ptr<PointArray> deformation;  // incremental deformation gradient minus one, on demand
   std::unique_ptr<PointArray> plastic;      // J dissipated since last taken, on demand
   std::unique_ptr<PointArray> free_strain;  // isotropic strain of the next step, on demand
+  StateArrays states;                       // of the solids
   double empty_node = 0.0;                  // kg; what lighter nodes could move is lost in rounding
   bool moves_with_mean = false;  // of the velocities before and after a step, not with the latter
   CellOrder<Dim> order;

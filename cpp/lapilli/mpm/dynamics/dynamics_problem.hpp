@@ -21,7 +21,8 @@ struct DynamicsBody {
   double half_width = 0.25;  // of the GIMP box in cells: half the fill spacing over the cell size
   std::function<Vec3(const Vec3&)> velocity;           // m/s at the start; empty: at rest
   std::function<SymmetricTensor(const Vec3&)> stress;  // Pa at the start; empty: none
-  std::string name = {};                               // in messages; empty: its number
+  std::string name = {};                               // in the history; empty: its number
+  std::string label = "a body";                        // in messages: "body 'sand'"
 };
 
 /// Everything a momentum solver is made from.

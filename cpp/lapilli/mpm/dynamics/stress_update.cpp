@@ -1,192 +1,54 @@
 #include "lapilli/mpm/dynamics/stress_update.hpp"
 
 #include <algorithm>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
-#include "lapilli/materials/principal.hpp"
-#include "lapilli/mpm/dynamics/deformation.hpp"
+#include "lapilli/mpm/dynamics/stress_rows.hpp"
 
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace lapilli {
 namespace {
 
-template <class Real>
-Real load_rows(const double* from, int stride);
-template <>
-double load_rows<double>(const double* from, int /*stride*/) {
-  return *from;
-}
-template <>
-Double4 load_rows<Double4>(const double* from, int stride) {
-  return Double4{from[0], from[stride], from[2 * stride], from[3 * stride]};
-}
+/// The stresses that a function of the whole block has given, rows x 6.
+struct GivenStresses {
+  static constexpr int states = 0;
+  static constexpr bool yields = true, parts = false;
+  const double* stress;
+  int first;
 
-void store_rows(double* to, int /*stride*/, double value) { *to = value; }
-void store_rows(double* to, int stride, Double4 value) {
-  to[0] = value[0];
-  to[stride] = value[1];
-  to[2 * stride] = value[2];
-  to[3 * stride] = value[3];
-}
-
-/// Running sum, least and largest of rows, in a fixed order.
-struct Lanes {
-  Double4 plastic = all(0.0), strain = all(0.0), ahead = all(0.0), expansion = all(0.0);
-  Double4 least = all(1.0), largest = all(0.0), most = all(0.0);
-
-  void add_strain(Double4 square) { most = square > most ? square : most; }
-  void add_strain(double square) { most[0] = std::max(square, most[0]); }
-  void add(Double4 work, Double4 strain_work, Double4 ahead_work, Double4 volume, Double4 ratio) {
-    plastic += work;
-    strain += strain_work;
-    ahead += ahead_work;
-    least = volume < least ? volume : least;
-    largest = ratio > largest ? ratio : largest;
-  }
-  void add(double work, double strain_work, double ahead_work, double volume, double ratio) {
-    plastic[0] += work;
-    strain[0] += strain_work;
-    ahead[0] += ahead_work;
-    least[0] = std::min(volume, least[0]);
-    largest[0] = std::max(ratio, largest[0]);
-  }
-  void add_expansion(Double4 work) { expansion += work; }
-  void add_expansion(double work) { expansion[0] += work; }
-  StressSums total() const {
-    StressSums sums;
-    sums.plastic = (plastic[0] + plastic[1]) + (plastic[2] + plastic[3]);
-    sums.strain_work = (strain[0] + strain[1]) + (strain[2] + strain[3]);
-    sums.work_ahead = (ahead[0] + ahead[1]) + (ahead[2] + ahead[3]);
-    sums.expansion = (expansion[0] + expansion[1]) + (expansion[2] + expansion[3]);
-    sums.least_volume = std::min({least[0], least[1], least[2], least[3]});
-    sums.strain = std::max({most[0], most[1], most[2], most[3]});
-    sums.wave_ratio = std::max({largest[0], largest[1], largest[2], largest[3]});
-    return sums;
+  template <class Real, int components>
+  void take(int row, Real (&s)[components]) const {
+    for (int c = 0; c < components; ++c) {
+      s[c] = load_rows<Real>(stress + 6 * (row - first) + c, 6);
+    }
   }
 };
 
-/// Turned stress plus the elastic stress of the step. `strain` takes what its double contraction
-/// with a stress needs: shear twice.
-template <class Real>
-Real deform(const StressMaterial& m, const DeformationBlock<2>& block, int row, Real free_strain,
-            Real (&s)[4], Real (&strain)[4]) {
-  const PlaneDeformation<Real> step(
-      load<Real>(&block.gradient[0][row]), load<Real>(&block.gradient[1][row]),
-      load<Real>(&block.gradient[2][row]), load<Real>(&block.gradient[3][row]));
-  step.rotate(s[0], s[1], s[3]);
-  const double twice = 2.0 * m.shear_modulus;
-  const Real mean = m.lambda * (step.xx + step.yy) - (3.0 * m.lambda + twice) * free_strain;
-  s[0] += mean + twice * step.xx;
-  s[1] += mean + twice * step.yy;
-  s[2] += mean;
-  s[3] += twice * step.xy;
-  strain[0] = step.xx;
-  strain[1] = step.yy;
-  strain[2] = as<Real>(0.0);
-  strain[3] = 2.0 * step.xy;
-  return step.volume;
-}
+/// Copied into a loop, so that its constants need not be read again after every store; one that
+/// owns memory stays where it is.
+template <class Law>
+using InLoop = std::conditional_t<std::is_trivially_copyable_v<Law>, const Law, const Law&>;
 
-template <class Real>
-Real deform(const StressMaterial& m, const DeformationBlock<3>& block, int row, Real free_strain,
-            Real (&s)[6], Real (&strain)[6]) {
-  Real a[9];
-  for (int c = 0; c < 9; ++c) {
-    a[c] = load<Real>(&block.gradient[c][row]);
+/// Before the return, which may change the state.
+template <class Law, class Real>
+auto parting_stress(const Law& law, const Real* state) {
+  if constexpr (Law::parts) {
+    return law.parts_at(state);
+  } else {
+    return 0.0;
   }
-  const SpaceDeformation<Real> step(a);
-  step.rotate(s);
-  const double twice = 2.0 * m.shear_modulus;
-  const Real mean = m.lambda * (step.strain[0] + step.strain[1] + step.strain[2]) -
-                    (3.0 * m.lambda + twice) * free_strain;
-  for (int c = 0; c < 3; ++c) {
-    s[c] += mean + twice * step.strain[c];
-    s[c + 3] += twice * step.strain[c + 3];
-    strain[c] = step.strain[c];
-    strain[c + 3] = 2.0 * step.strain[c + 3];
-  }
-  return step.volume;
 }
 
-template <class Real, class Return>
-void return_one(const Return& sorted, Real (&s)[4]) {
-  apply_plane(sorted, s[0], s[1], s[2], s[3]);
-}
-template <class Real, class Return>
-void return_one(const Return& sorted, Real (&s)[6]) {
-  apply_full(sorted, s[0], s[1], s[2], s[3], s[4], s[5]);
-}
-
-/// The stress before the step, turned, on the strain of the step: that of the trial stress less
-/// what the step added.
-template <class Real, int components>
-Real contract(const StressMaterial& m, const Real (&trial)[components],
-              const Real (&strain)[components], Real free_strain) {
-  const double twice = 2.0 * m.shear_modulus;
-  const Real trace = strain[0] + strain[1] + strain[2];
-  const Real mean = m.lambda * trace - (3.0 * m.lambda + twice) * free_strain;
-  Real sum = as<Real>(0.0);
-  for (int c = 0; c < 3; ++c) {
-    sum += (trial[c] - mean - twice * strain[c]) * strain[c];
-  }
-  for (int c = 3; c < components; ++c) {
-    sum += (trial[c] - m.shear_modulus * strain[c]) * strain[c];
-  }
-  return sum;
-}
-
-/// Stress times the plastic strain that a return from `trial` to `s` means, J/m^3.
-template <class Real, int components>
-Real dissipation(const StressMaterial& m, const Real (&trial)[components],
-                 const Real (&s)[components]) {
-  const double share = m.lambda / (3.0 * m.lambda + 2.0 * m.shear_modulus);
-  Real drop[components];
-  for (int c = 0; c < components; ++c) {
-    drop[c] = trial[c] - s[c];
-  }
-  const Real pressure = share * (drop[0] + drop[1] + drop[2]);
-  Real normal =
-      s[0] * (drop[0] - pressure) + s[1] * (drop[1] - pressure) + s[2] * (drop[2] - pressure);
-  Real shear = s[3] * drop[3];
-  for (int c = 4; c < components; ++c) {
-    shear += s[c] * drop[c];
-  }
-  return (normal + 2.0 * shear) * (0.5 / m.shear_modulus);
-}
-
-/// What has come apart closes first, without stress: grains that have flown do not press on each
-/// other before they touch. (The volume correction of Tampubolon et al. 2017, ACM TOG 36:105.)
-template <class Real, int components>
-void close_gap(const StressMaterial& m, const Real (&strain)[components], Real& opened,
-               Real& free_strain, Real (&s)[components]) {
-  const Real squeezing = -(strain[0] + strain[1] + strain[2]);
-  const Real least = squeezing < opened ? squeezing : opened;
-  const Real closing = least > 0.0 ? least : as<Real>(0.0);
-  const Real third = closing * (1.0 / 3.0);
-  opened -= closing;
-  free_strain -= third;
-  const Real pressure = (3.0 * m.lambda + 2.0 * m.shear_modulus) * third;
-  s[0] += pressure;
-  s[1] += pressure;
-  s[2] += pressure;
-}
-
-/// Volume strain that opens where nothing holds a point together: all of its principal stresses are
-/// at what it bears in tension.
-template <class Real, int components>
-Real parted(const StressMaterial& m, const Real (&trial)[components], const Real (&s)[components]) {
-  const double bulk = 3.0 * m.lambda + 2.0 * m.shear_modulus;
-  const Real trace = s[0] + s[1] + s[2];
-  const Real strain = (trial[0] + trial[1] + trial[2] - trace) * (1.0 / bulk);
-  const Real opening = strain > 0.0 ? strain : as<Real>(0.0);
-  return trace >= 3.0 * m.yield->tension3 - 1e-12 * bulk ? opening : as<Real>(0.0);
-}
-
-template <int Dim, bool yields>
-StressSums update_rows(const StressMaterial& material, const DeformationBlock<Dim>& block,
-                       const StressRows& rows, int begin, int end) {
+template <int Dim, class Law>
+StressSums update_rows(const StressMaterial& material, const Law& its_law,
+                       const DeformationBlock<Dim>& block, const StressRows& rows, int begin,
+                       int end) {
   constexpr int components = Dim == 2 ? 4 : 6;
-  const StressMaterial m = material;
+  const ElasticConstants m = material;
+  InLoop<Law> law = its_law;
   Lanes lanes;
   for_quads(begin, end, [&]<class Real>(int row) {
     Real s[components];
@@ -200,7 +62,7 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
     Real strain[components];
     const Real growth = deform(m, block, row, given, s, strain);
     Real opened = as<Real>(0.0);
-    if constexpr (yields) {
+    if constexpr (Law::parts) {
       opened = load<Real>(rows.opened + row);
       close_gap(m, strain, opened, free_strain, s);
     }
@@ -208,17 +70,27 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
     const Real volume = before * growth;
     const Real strained = contract(m, s, strain, free_strain);
     Real work = as<Real>(0.0);
-    if constexpr (yields) {
-      Real trial[components];
+    if constexpr (Law::yields) {
+      Real trial[components], state[std::max(1, Law::states)];
       for (int c = 0; c < components; ++c) {
         trial[c] = s[c];
       }
-      const auto sorted = [&m](Real t1, Real t2, Real t3) {
-        return return_sorted(*m.yield, t1, t2, t3);
-      };
-      return_one(sorted, s);
+      for (int k = 0; k < Law::states; ++k) {
+        state[k] = load<Real>(rows.state[k] + row);
+      }
+      [[maybe_unused]] const auto parts_at = parting_stress(law, state);
+      if constexpr (requires { law.take(row, s); }) {
+        law.take(row, s);
+      } else {
+        law.return_stress(s, state);
+      }
+      for (int k = 0; k < Law::states; ++k) {
+        store(rows.state[k] + row, state[k]);
+      }
       work = volume * dissipation(m, trial, s);
-      store(rows.opened + row, opened + parted(m, trial, s));
+      if constexpr (Law::parts) {
+        store(rows.opened + row, opened + parted(m, parts_at, trial, s));
+      }
       if (rows.plastic) {
         store(rows.plastic + row, load<Real>(rows.plastic + row) + work);
       }
@@ -244,28 +116,68 @@ StressSums update_rows(const StressMaterial& material, const DeformationBlock<Di
   return lanes.total();
 }
 
+/// The same by a function of the whole block, which is called first.
+template <int Dim>
+StressSums update_rows(const StressMaterial& material, const BlockLaw auto& law,
+                       const DeformationBlock<Dim>& block, const StressRows& rows, int begin,
+                       int end) {
+  constexpr int components = Dim == 2 ? 4 : 6;
+  const int count = end - begin, variables = rows.variables;
+  const ElasticConstants still(LinearElastic{1.0, 0.0, 0.0});  // turns stresses and adds nothing
+  double strain[6 * block_rows], stress[6 * block_rows];
+  double state[most_state_variables * block_rows];
+  for (int k = 0; k < count; ++k) {
+    const int row = begin + k;
+    double s[components], e[components];
+    std::copy_n(rows.stress + row * components, components, s);
+    deform(still, block, row, 0.0, s, e);
+    const double free_strain = rows.free_strain ? rows.free_strain[row] : 0.0;
+    for (int c = 0; c < 6; ++c) {
+      strain[6 * k + c] = c < 3 ? e[c] - free_strain : c < components ? 0.5 * e[c] : 0.0;
+      stress[6 * k + c] = c < components ? s[c] : 0.0;
+    }
+    for (int v = 0; v < variables; ++v) {
+      state[variables * k + v] = rows.state[v][row];
+    }
+  }
+  const auto size = static_cast<std::size_t>(count);
+  law.return_block({count,
+                    variables,
+                    {strain, 6 * size},
+                    {stress, 6 * size},
+                    {state, size * static_cast<std::size_t>(variables)},
+                    rows.step,
+                    material.body});
+  for (int k = 0; k < count; ++k) {
+    for (int v = 0; v < variables; ++v) {
+      rows.state[v][begin + k] = state[variables * k + v];
+    }
+  }
+  return update_rows<Dim>(material, GivenStresses{stress, begin}, block, rows, begin, end);
+}
+
 }  // namespace
 
-StressMaterial::StressMaterial(const Solid& solid) {
+ElasticConstants::ElasticConstants(const LinearElastic& elastic)
+    : lambda(elastic.lambda()),
+      shear_modulus(elastic.shear_modulus()),
+      wave_modulus(elastic.wave_modulus()),
+      density(elastic.density) {}
+
+StressMaterial::StressMaterial(const Solid& solid, std::string of_body)
+    : ElasticConstants(elastic_part(solid)), law(law_of(solid)), body(std::move(of_body)) {
   check(solid);
-  const LinearElastic& elastic = elastic_part(solid);
-  lambda = elastic.lambda();
-  shear_modulus = elastic.shear_modulus();
-  wave_modulus = elastic.wave_modulus();
-  density = elastic.density;
-  if (const auto* soil = std::get_if<MohrCoulomb>(&solid)) {
-    yield.emplace(*soil);
-  }
 }
 
 template <int Dim>
 StressSums update_stress(const StressMaterial& material, const DeformationBlock<Dim>& block,
                          const StressRows& rows, int begin, int end) {
-  return material.yield ? update_rows<Dim, true>(material, block, rows, begin, end)
-                        : update_rows<Dim, false>(material, block, rows, begin, end);
+  return std::visit(
+      [&](const auto& law) { return update_rows<Dim>(material, law, block, rows, begin, end); },
+      material.law);
 }
 
-double elastic_energy(const StressMaterial& m, const SymmetricTensor& s) {
+double elastic_energy(const ElasticConstants& m, const SymmetricTensor& s) {
   const double share = m.lambda / (3.0 * m.lambda + 2.0 * m.shear_modulus);
   const double trace = s.trace();
   const double normal = s[0] * s[0] + s[1] * s[1] + s[2] * s[2] - share * trace * trace;

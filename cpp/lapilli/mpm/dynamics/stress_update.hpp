@@ -1,17 +1,23 @@
 #pragma once
 
-#include <optional>
+#include <string>
 
 #include "lapilli/materials/solid.hpp"
 
 namespace lapilli {
 
-/// A material made ready for blocks of points.
-struct StressMaterial {
-  explicit StressMaterial(const Solid& solid);
+struct ElasticConstants {
+  explicit ElasticConstants(const LinearElastic& elastic);
 
   double lambda, shear_modulus, wave_modulus, density;  // Pa, kg/m^3
-  std::optional<MohrCoulombReturn> yield;
+};
+
+/// A material made ready for blocks of points.
+struct StressMaterial : ElasticConstants {
+  explicit StressMaterial(const Solid& solid, std::string body = "a body");
+
+  SolidLaw law;
+  std::string body;  // whose it is, for messages
 };
 
 /// Points worked on at once, staged as arrays: [component][row].
@@ -30,7 +36,10 @@ struct StressRows {
   const double* mass;         // kg
   const double* free_strain;  // isotropic, or null
   double* plastic;            // J, added to, or null
-  double* opened;             // volume strain to close before it bears pressure; soil only
+  double* opened;  // volume strain to close before it bears pressure; of solids that part only
+  double* const* state = nullptr;  // of each state variable of the law
+  int variables = 0;               // how many
+  double step = 0.0;               // s
 };
 
 struct StressSums {
@@ -44,7 +53,7 @@ struct StressSums {
 };
 
 /// Deform rows [begin, end) of a block: rotate the stress, add the elastic stress of the strain,
-/// return it to the yield surface, and let the volume follow.
+/// return it by the law of the material, and let the volume follow.
 ///
 /// Rotation and strain are those of the mid-step configuration (Hughes & Winget 1980): with
 /// A = dt grad v, G = A (1 + A/2)^-1, strain = sym G, rotation = Cayley transform of skew G. A
@@ -54,6 +63,6 @@ StressSums update_stress(const StressMaterial& material, const DeformationBlock<
                          const StressRows& rows, int begin, int end);
 
 /// Elastic energy of a stress over a volume of one cubic metre, J/m^3.
-double elastic_energy(const StressMaterial& material, const SymmetricTensor& stress);
+double elastic_energy(const ElasticConstants& material, const SymmetricTensor& stress);
 
 }  // namespace lapilli

@@ -35,15 +35,15 @@ PointSums sum_over_points(Index count, const Body& body) {
 
 /// Deform the points of a staged block, one run of equal bodies at a time.
 template <int Dim>
-void deform_block(DynamicsData<Dim>& data, const DeformationBlock<Dim>& block, Index begin,
-                  int rows, PointSums& sums) {
+void deform_block(DynamicsData<Dim>& data, const DeformationBlock<Dim>& block, double step,
+                  Index begin, int rows, PointSums& sums) {
   constexpr int components = DynamicsData<Dim>::stress_components;
-  const StressRows at{data.stress.data() + begin * components,
-                      data.points.volume().data() + begin,
-                      data.mass.data() + begin,
-                      data.free_strain ? data.free_strain->data() + begin : nullptr,
-                      data.plastic ? data.plastic->data() + begin : nullptr,
-                      data.opened ? data.opened->data() + begin : nullptr};
+  StressRows at{data.stress.data() + begin * components,
+                data.points.volume().data() + begin,
+                data.mass.data() + begin,
+                data.free_strain ? data.free_strain->data() + begin : nullptr,
+                data.plastic ? data.plastic->data() + begin : nullptr,
+                data.opened ? data.opened->data() + begin : nullptr};
   const Index* body = data.points.body().data() + begin;
   for (int first = 0; first < rows;) {
     int last = first + 1;
@@ -51,6 +51,10 @@ void deform_block(DynamicsData<Dim>& data, const DeformationBlock<Dim>& block, I
       ++last;
     }
     const StressMaterial& material = data.materials[body[first]];
+    const auto state = data.states.rows(body[first], begin);
+    at.state = state.data();
+    at.variables = data.states.count(body[first]);
+    at.step = step;
     const StressSums found = update_stress<Dim>(material, block, at, first, last);
     sums.plastic += found.plastic;
     sums.strain_work += found.strain_work;
@@ -100,7 +104,7 @@ template <int Dim, class Shape, bool in_halves, class Read>
         block.gradient[c][k] = step * gradient[c];
       }
     }
-    deform_block(data, block, start, rows, sums);
+    deform_block(data, block, step, start, rows, sums);
   }
   return sums;
 }

@@ -9,16 +9,15 @@ namespace lapilli {
 template <int Dim>
 Equilibrium<Dim>::Equilibrium(const Grid<Dim>& grid, std::span<const double> volume,
                               std::span<const Index> body, const PointWeights<Dim>& weights,
-                              const CellState<Dim>& state, std::span<const LinearElastic> materials,
-                              std::span<const double> stress, const Loads<Dim>& loads,
-                              NodeSystem<Dim>& system, DirectSolver& solver)
+                              const CellState<Dim>& state, const SolidState& solids,
+                              const Loads<Dim>& loads, NodeSystem<Dim>& system,
+                              DirectSolver& solver)
     : grid_(grid),
       volume_(volume),
       body_(body),
       weights_(weights),
       state_(state),
-      materials_(materials),
-      stress_(stress),
+      solids_(solids),
       loads_(loads),
       system_(system),
       solver_(solver) {
@@ -128,13 +127,8 @@ void Equilibrium<Dim>::add_internal_force(const Eigen::VectorXd& u, Eigen::Vecto
   weights_.for_each_group([&](const typename PointWeights<Dim>::Group& group) {
     for (Index k = group.begin; k < group.end; ++k) {
       const Index p = weights_.order()[k];
-      const LinearElastic& material = materials_[body_[p]];
-      SymmetricTensor stress = stress_of(material, strain(p, u));
-      double held = 0.0;
-      for (int c = 0; c < 6; ++c) {
-        held = std::max(held, std::abs(stress_[6 * p + c]));
-        stress[c] += stress_[6 * p + c];
-      }
+      const SymmetricTensor stress = solids_.stress_after(p, body_[p], strain(p, u));
+      const double held = solids_.largest_stress(p);
       const Mat<Dim> load = volume_[p] * stress.template block<Dim>();
       const double pressure = volume_[p] * stress.trace() / 3.0;
       const Vec<Dim>* gradient = weights_.gradient(p);
@@ -143,7 +137,7 @@ void Equilibrium<Dim>::add_internal_force(const Eigen::VectorXd& u, Eigen::Vecto
       for_each_node(grid_, group.box, [&](int a, Index node) {
         turned += gradient[a].norm() * u.segment<Dim>(Dim * system_.row(node)).norm();
       });
-      const double size = volume_[p] * (held + material.wave_modulus() * turned);
+      const double size = volume_[p] * (held + solids_.elastic(body_[p]).wave_modulus() * turned);
       for_each_node(grid_, group.box, [&](int a, Index node) {
         Vec<Dim> on_node = load * gradient[a];
         if (mean != nullptr) {

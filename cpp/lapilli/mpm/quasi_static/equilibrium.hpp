@@ -7,6 +7,7 @@
 #include "lapilli/algebra/direct_solver.hpp"
 #include "lapilli/mpm/quasi_static/hydrostatic.hpp"
 #include "lapilli/mpm/quasi_static/newton.hpp"
+#include "lapilli/mpm/quasi_static/solid_state.hpp"
 #include "lapilli/mpm/quasi_static/support_terms.hpp"
 
 namespace lapilli {
@@ -45,16 +46,20 @@ struct Loads {
 template <int Dim>
 class Equilibrium {
  public:
-  /// All arguments must outlive the object; `volume` (m^Dim) and `body` one a point, `stress` rows
-  /// x 6. `system` and `solver` are kept between load steps so that a pattern that stands is not
-  /// analysed again.
+  /// All arguments must outlive the object; `volume` (m^Dim) and `body` one a point. `system` and
+  /// `solver` are kept between load steps so that a pattern that stands is not analysed again.
   Equilibrium(const Grid<Dim>& grid, std::span<const double> volume, std::span<const Index> body,
               const PointWeights<Dim>& weights, const CellState<Dim>& state,
-              std::span<const LinearElastic> materials, std::span<const double> stress,
-              const Loads<Dim>& loads, NodeSystem<Dim>& system, DirectSolver& solver);
+              const SolidState& solids, const Loads<Dim>& loads, NodeSystem<Dim>& system,
+              DirectSolver& solver);
 
-  /// Assemble and factorise the tangent. The caller judges the pivots.
+  /// Assemble and factorise the elastic stiffness. The caller judges the pivots.
   PivotReport factorise();
+  /// The same for the tangent at the increment `u`: the symmetric part of the consistent one where
+  /// points yield, mixed with a share of the elastic stiffness.
+  PivotReport factorise_at(const Eigen::VectorXd& u, double elastic_share);
+  /// Whether any point yields at the increment `u`.
+  bool yields_at(const Eigen::VectorXd& u) const;
   /// External minus internal forces at the increment `u`; zero at unknowns without stiffness.
   Imbalance residual(const Eigen::VectorXd& u) const;
   Eigen::VectorXd correction(const Eigen::VectorXd& force) const { return solver_.solve(force); }
@@ -76,7 +81,10 @@ class Equilibrium {
   Eigen::VectorXd total(const Eigen::VectorXd& u) const {
     return loads_.since_reset.size() > 0 ? Eigen::VectorXd(loads_.since_reset + u) : u;
   }
+  PivotReport factorise_assembled();
   void assemble_points();
+  void assemble_yielding(const Eigen::VectorXd& u, double elastic_share);
+  void assemble_group(const typename PointWeights<Dim>::Group& group, const auto& add_point);
   void assemble_surfaces();
   void external_force();
   double ghost_stiffness(const CellBox<Dim>& pair, int axis) const;
@@ -98,8 +106,7 @@ class Equilibrium {
   std::span<const Index> body_;
   const PointWeights<Dim>& weights_;
   const CellState<Dim>& state_;
-  std::span<const LinearElastic> materials_;
-  std::span<const double> stress_;
+  const SolidState& solids_;
   const Loads<Dim>& loads_;
   NodeSystem<Dim>& system_;
   DirectSolver& solver_;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lapilli/core/parallel.hpp"
 #include "lapilli/mpm/quasi_static/equilibrium.hpp"
 
 namespace lapilli {
@@ -50,17 +51,72 @@ Tangent<Dim> tangent_of(const LinearElastic& material, bool deviator) {
   }
 }
 
+template <int Dim>
+using FullStrainRows = Eigen::Matrix<double, 6, Dim>;
+
+template <int Dim>
+Vec<Dim> zero() {
+  return Vec<Dim>::Zero();
+}
+
+/// Engineering strains xx, yy, zz, xy, yz, xz of a node's displacement, with a dilatation that is
+/// `added` to that of the gradient, a third along each axis.
+template <int Dim>
+FullStrainRows<Dim> full_strain_rows(const Vec<Dim>& g, const Vec<Dim>& added) {
+  FullStrainRows<Dim> rows = FullStrainRows<Dim>::Zero();
+  for (int axis = 0; axis < Dim; ++axis) {
+    rows(axis, axis) = g[axis];
+  }
+  rows(3, 0) = g[1];
+  rows(3, 1) = g[0];
+  if constexpr (Dim == 3) {
+    rows(4, 1) = g[2];
+    rows(4, 2) = g[1];
+    rows(5, 0) = g[2];
+    rows(5, 2) = g[0];
+  }
+  rows.template topRows<3>().rowwise() += (added / 3.0).transpose();
+  return rows;
+}
+
+/// The upper blocks of the matrix of a group of nodes.
+template <int Dim>
+struct GroupMatrix {
+  double* values;
+  int width;
+
+  void add(int a, int b, const Mat<Dim>& block) const {
+    for (int r = 0; r < Dim; ++r) {
+      for (int c = 0; c < Dim; ++c) {
+        values[(a * Dim + r) * width + b * Dim + c] += block(r, c);
+      }
+    }
+  }
+};
+
 }  // namespace
 
 template <int Dim>
 PivotReport Equilibrium<Dim>::factorise() {
   system_.clear();
   assemble_points();
+  return factorise_assembled();
+}
+
+template <int Dim>
+PivotReport Equilibrium<Dim>::factorise_at(const Eigen::VectorXd& u, double elastic_share) {
+  system_.clear();
+  assemble_yielding(u, elastic_share);
+  return factorise_assembled();
+}
+
+template <int Dim>
+PivotReport Equilibrium<Dim>::factorise_assembled() {
   assemble_surfaces();
   constexpr double least_share = 1e-10;  // of a node inside the softest material
   constexpr double rounding = 1e-15;     // of one inside the stiffest
   double stiffest = 0.0, softest = std::numeric_limits<double>::infinity();
-  for (const LinearElastic& material : materials_) {
+  for (const LinearElastic& material : solids_.elastic()) {
     stiffest = std::max(stiffest, material.youngs_modulus);
     softest = std::min(softest, material.youngs_modulus);
   }
@@ -73,48 +129,75 @@ PivotReport Equilibrium<Dim>::factorise() {
 template <int Dim>
 void Equilibrium<Dim>::assemble_points() {
   std::vector<Tangent<Dim>> whole, deviators;
-  for (const LinearElastic& material : materials_) {
+  for (const LinearElastic& material : solids_.elastic()) {
     whole.push_back(tangent_of<Dim>(material, false));
     deviators.push_back(tangent_of<Dim>(material, true));
   }
-  weights_.for_each_group([&](const typename PointWeights<Dim>::Group& group) {
-    const int nodes = group.box.node_count(), width = nodes * Dim;
-    static thread_local std::vector<double> matrix;
-    static thread_local std::vector<int> rows;
-    matrix.assign(static_cast<std::size_t>(width) * width, 0.0);
-    rows.resize(nodes);
-    system_.rows(grid_, group.box, rows.data());
-    for (Index k = group.begin; k < group.end; ++k) {
-      const Index p = weights_.order()[k];
-      const Vec<Dim>* gradient = weights_.gradient(p);
-      const Vec<Dim>* mean = state_.mean.of_point(p);
-      const Tangent<Dim> tangent =
-          volume_[p] * (mean != nullptr ? deviators[body_[p]] : whole[body_[p]]);
-      const double bulk = mean != nullptr ? volume_[p] * materials_[body_[p]].bulk_modulus() : 0.0;
-      for (int b = 0; b < nodes; ++b) {
-        const StrainRows<Dim> stress_b = tangent * strain_rows<Dim>(gradient[b]);
-        for (int a = 0; a <= b; ++a) {
-          Mat<Dim> block = strain_rows<Dim>(gradient[a]).transpose() * stress_b;
-          if (mean != nullptr) {
-            block += bulk * mean[a] * mean[b].transpose();
-          }
-          for (int r = 0; r < Dim; ++r) {
-            for (int c = 0; c < Dim; ++c) {
-              matrix[(a * Dim + r) * width + b * Dim + c] += block(r, c);
-            }
-          }
+  const auto add_point = [&](Index p, int nodes, auto& matrix) {
+    const Vec<Dim>* gradient = weights_.gradient(p);
+    const Vec<Dim>* mean = state_.mean.of_point(p);
+    const Tangent<Dim> tangent =
+        volume_[p] * (mean != nullptr ? deviators[body_[p]] : whole[body_[p]]);
+    const double bulk =
+        mean != nullptr ? volume_[p] * solids_.elastic(body_[p]).bulk_modulus() : 0.0;
+    for (int b = 0; b < nodes; ++b) {
+      const StrainRows<Dim> stress_b = tangent * strain_rows<Dim>(gradient[b]);
+      for (int a = 0; a <= b; ++a) {
+        Mat<Dim> block = strain_rows<Dim>(gradient[a]).transpose() * stress_b;
+        if (mean != nullptr) {
+          block += bulk * mean[a] * mean[b].transpose();
         }
+        matrix.add(a, b, block);
       }
     }
-    for (int i = 0; i < width; ++i) {
-      for (int j = 0; j < i; ++j) {
-        if (i / Dim != j / Dim) {
-          matrix[i * width + j] = matrix[j * width + i];
-        }
+  };
+  weights_.for_each_group([&](const auto& group) { assemble_group(group, add_point); });
+}
+
+/// All six components: the mean dilatation strains across the plane as well.
+template <int Dim>
+void Equilibrium<Dim>::assemble_yielding(const Eigen::VectorXd& u, double elastic_share) {
+  const auto add_point = [&](Index p, int nodes, auto& matrix) {
+    const Stiffness tangent =
+        volume_[p] * solids_.tangent_after(p, body_[p], strain(p, u), elastic_share);
+    const Vec<Dim>* gradient = weights_.gradient(p);
+    const Vec<Dim>* mean = state_.mean.of_point(p);
+    const auto rows = [&](int a) {
+      return full_strain_rows<Dim>(gradient[a],
+                                   mean != nullptr ? Vec<Dim>(mean[a] - gradient[a]) : zero<Dim>());
+    };
+    for (int b = 0; b < nodes; ++b) {
+      const FullStrainRows<Dim> stress_b = tangent * rows(b);
+      for (int a = 0; a <= b; ++a) {
+        matrix.add(a, b, Mat<Dim>(rows(a).transpose() * stress_b));
       }
     }
-    system_.add(rows.data(), nodes, matrix.data());
-  });
+  };
+  weights_.for_each_group([&](const auto& group) { assemble_group(group, add_point); });
+}
+
+/// The small matrix of the nodes of a group, from the upper blocks of its points.
+template <int Dim>
+void Equilibrium<Dim>::assemble_group(const typename PointWeights<Dim>::Group& group,
+                                      const auto& add_point) {
+  const int nodes = group.box.node_count(), width = nodes * Dim;
+  static thread_local std::vector<double> values;
+  static thread_local std::vector<int> rows;
+  values.assign(static_cast<std::size_t>(width) * width, 0.0);
+  rows.resize(nodes);
+  system_.rows(grid_, group.box, rows.data());
+  GroupMatrix<Dim> matrix{values.data(), width};
+  for (Index k = group.begin; k < group.end; ++k) {
+    add_point(weights_.order()[k], nodes, matrix);
+  }
+  for (int i = 0; i < width; ++i) {
+    for (int j = 0; j < i; ++j) {
+      if (i / Dim != j / Dim) {
+        values[i * width + j] = values[j * width + i];
+      }
+    }
+  }
+  system_.add(rows.data(), nodes, values.data());
 }
 
 template <int Dim>
@@ -154,10 +237,19 @@ double Equilibrium<Dim>::ghost_stiffness(const CellBox<Dim>& pair, int axis) con
   return loads_.ghost * 0.5 * (state_.youngs[cell] + state_.youngs[cell + grid_.cell_stride(axis)]);
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                       \
-  template PivotReport Equilibrium<Dim>::factorise();  \
-  template void Equilibrium<Dim>::assemble_points();   \
-  template void Equilibrium<Dim>::assemble_surfaces(); \
+template <int Dim>
+bool Equilibrium<Dim>::yields_at(const Eigen::VectorXd& u) const {
+  return solids_.can_yield() && parallel_sum(volume_.size(), Index{0}, [&](Index p) -> Index {
+                                  return solids_.yields_after(p, body_[p], strain(p, u)) ? 1 : 0;
+                                }) > 0;
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                                       \
+  template PivotReport Equilibrium<Dim>::factorise();                                  \
+  template PivotReport Equilibrium<Dim>::factorise_at(const Eigen::VectorXd&, double); \
+  template bool Equilibrium<Dim>::yields_at(const Eigen::VectorXd&) const;             \
+  template void Equilibrium<Dim>::assemble_points();                                   \
+  template void Equilibrium<Dim>::assemble_surfaces();                                 \
   template double Equilibrium<Dim>::ghost_stiffness(const CellBox<Dim>& pair, int axis) const;
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)

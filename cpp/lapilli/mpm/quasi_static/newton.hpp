@@ -26,11 +26,13 @@ struct Imbalance {
 /// Newton's method: `residual(u)` gives the imbalance at u, `correction(force)` solves with the
 /// tangent there. Runs until the relative imbalance is within `tolerance` or within what rounding
 /// leaves, at least two iterations so that the second refines the solve of the first, and stops
-/// where a correction no longer helps.
+/// where a correction no longer helps. `damped`: a correction that makes the imbalance larger is
+/// halved, a few times.
 template <class Residual, class Correction>
 NewtonReport solve_newton(Eigen::VectorXd& u, const Residual& residual,
-                          const Correction& correction, double tolerance, int max_iterations) {
-  constexpr int least_iterations = 2;
+                          const Correction& correction, double tolerance, int max_iterations,
+                          bool damped = false) {
+  constexpr int least_iterations = 2, most_halvings = 5;
   NewtonReport report;
   Imbalance imbalance = residual(u);
   report.residual = imbalance.relative();
@@ -40,12 +42,21 @@ NewtonReport solve_newton(Eigen::VectorXd& u, const Residual& residual,
         (report.residual <= within && report.iterations >= least_iterations)) {
       break;
     }
-    const Eigen::VectorXd trial = u + correction(imbalance.force);
+    const Eigen::VectorXd change = correction(imbalance.force);
+    Eigen::VectorXd trial = u + change;
     if (!trial.allFinite()) {
       break;
     }
     Imbalance next = residual(trial);
     ++report.iterations;
+    if (damped && report.residual > within) {
+      double share = 1.0;
+      for (int k = 0; k < most_halvings && !(next.relative() < report.residual); ++k) {
+        share *= 0.5;
+        trial = u + share * change;
+        next = residual(trial);
+      }
+    }
     // Below the tolerance only rounding moves: keep the better of the two.
     if (report.residual <= within && next.relative() >= report.residual) {
       break;

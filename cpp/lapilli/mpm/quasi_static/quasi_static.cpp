@@ -14,6 +14,11 @@ namespace {
 // GIMP domains stay within these half-widths, in cells.
 constexpr double least_half_width = 0.02, largest_half_width = 0.499;
 
+/// The next larger share of the elastic stiffness in a tangent.
+double stiffer(double elastic_share) {
+  return elastic_share < 0.1 ? 0.1 : elastic_share < 0.5 ? 0.5 : 1.0;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -65,7 +70,7 @@ template <int Dim>
 void QuasiStatic<Dim>::undo_reset(const Archive& before) {
   reference_.scheme = scheme_;
   reference_.load(before);
-  reference_.locate(grid_, points_, materials_, averaged_, boundary_);
+  reference_.locate(grid_, points_, solids_.elastic(), averaged_, boundary_);
 }
 
 template <int Dim>
@@ -80,7 +85,7 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(double from, double
     reference_.imbalance_due = false;
   }
   loads.carried = reference_.imbalance;
-  const Equilibrium<Dim> equilibrium = equilibrium_under(loads);
+  Equilibrium<Dim> equilibrium = equilibrium_under(loads);
   require_loads_arrive(equilibrium);
   Eigen::VectorXd u = solve(equilibrium, report);
   std::vector<Vec<Dim>> moves = moves_of(equilibrium, u);
@@ -112,18 +117,32 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(double from, double
 template <int Dim>
 Equilibrium<Dim> QuasiStatic<Dim>::equilibrium_under(const Loads<Dim>& loads) {
   return Equilibrium<Dim>(grid_, std::as_const(reference_.volume).values(), points_.body(),
-                          reference_.weights, *reference_.state, materials_, stress_.values(),
-                          loads, system_, solver_);
+                          reference_.weights, *reference_.state, solids_, loads, system_, solver_);
 }
 
 /// Newton's method from no displacement at all.
 template <int Dim>
-Eigen::VectorXd QuasiStatic<Dim>::solve(const Equilibrium<Dim>& equilibrium, Report& report) const {
+Eigen::VectorXd QuasiStatic<Dim>::solve(Equilibrium<Dim>& equilibrium, Report& report) {
+  constexpr int longer_where_it_yields = 8;  // flow without dilatancy converges linearly
+  constexpr double stuck = 0.9;
+  const bool may_yield = solids_.can_yield();
   Eigen::VectorXd u = Eigen::VectorXd::Zero(system_.unknowns());
+  double elastic_share = 1e-6, before = 0.0;
+  int corrections = 0;
   report.newton = solve_newton(
       u, [&](const Eigen::VectorXd& at) { return equilibrium.residual(at); },
-      [&](const Eigen::VectorXd& force) { return equilibrium.correction(force); },
-      settings_.tolerance, settings_.max_iterations);
+      [&](const Eigen::VectorXd& force) {
+        if (may_yield) {
+          const double now = force.norm();
+          elastic_share =
+              corrections++ > 1 && now > stuck * before ? stiffer(elastic_share) : elastic_share;
+          before = now;
+        }
+        follow_tangent(equilibrium, u, elastic_share, report);
+        return equilibrium.correction(force);
+      },
+      settings_.tolerance, settings_.max_iterations * (may_yield ? longer_where_it_yields : 1),
+      may_yield);
   if (!report.newton.converged) {
     throw LoadStepFailed(message("Newton's method stalled at a relative residual of ",
                                  report.newton.residual, " after ", report.newton.iterations,
@@ -136,6 +155,30 @@ Eigen::VectorXd QuasiStatic<Dim>::solve(const Equilibrium<Dim>& equilibrium, Rep
                            "their youngs_modulus within a factor of 1e8"));
   }
   return u;
+}
+
+/// The tangent at `u` where points yield, as near to the consistent one as stays positive and
+/// brings the solution nearer; the elastic stiffness, factorised once, where none does.
+template <int Dim>
+void QuasiStatic<Dim>::follow_tangent(Equilibrium<Dim>& equilibrium, const Eigen::VectorXd& u,
+                                      double& elastic_share, Report& report) {
+  if (!equilibrium.yields_at(u)) {
+    if (!reference_.factorised) {
+      equilibrium.factorise();
+      reference_.factorised = true;
+    }
+    return;
+  }
+  reference_.factorised = false;
+  for (;; elastic_share = stiffer(elastic_share)) {
+    report.pivots = equilibrium.factorise_at(u, elastic_share);
+    if (report.pivots.not_positive == 0) {
+      return;
+    }
+    if (elastic_share == 1.0) {
+      require_positive(report.pivots);
+    }
+  }
 }
 
 template <int Dim>
@@ -184,7 +227,7 @@ void QuasiStatic<Dim>::require_positive(const PivotReport& pivots) const {
   }
   constexpr double largest_contrast = 1e8;
   const auto [soft, stiff] = std::minmax_element(
-      materials_.begin(), materials_.end(),
+      solids_.elastic().begin(), solids_.elastic().end(),
       [](const auto& a, const auto& b) { return a.youngs_modulus < b.youngs_modulus; });
   if (stiff->youngs_modulus > largest_contrast * soft->youngs_modulus) {
     throw RunError(
@@ -215,7 +258,7 @@ void QuasiStatic<Dim>::reset_grid(double time) {
   choose_stiffness(moved_far_ || farthest_moved() >= 0.5 * grid_.cell_size());
   reference_.scheme = scheme_;
   reference_.support_forces = support_forces_;
-  reference_.locate(grid_, points_, materials_, averaged_, boundary_);
+  reference_.locate(grid_, points_, solids_.elastic(), averaged_, boundary_);
 }
 
 template <int Dim>
@@ -224,10 +267,7 @@ void QuasiStatic<Dim>::update_points(const Equilibrium<Dim>& equilibrium, const 
   const double h = grid_.cell_size();
   parallel_for(points_.size(), [&](Index p) {
     const SymmetricTensor strain = equilibrium.strain(p, u);
-    const SymmetricTensor stress = stress_of(materials_[points_.body()[p]], strain);
-    for (int k = 0; k < 6; ++k) {
-      stress_[6 * p + k] += stress[k];
-    }
+    solids_.strain(p, points_.body()[p], strain);
     if (update_volumes_) {
       points_.volume()[p] *= std::exp(strain.trace());
     }

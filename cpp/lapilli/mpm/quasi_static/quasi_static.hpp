@@ -15,7 +15,7 @@
 
 namespace lapilli {
 
-/// Quasi-static equilibrium of elastic bodies by the implicit material point method, with walls
+/// Quasi-static equilibrium of solid bodies by the implicit material point method, with walls
 /// that do not fit the grid (Cortis et al. 2018, corrected). One step of the clock is one load
 /// step; a step that fails is halved, and the points keep the last state that converged. Not
 /// modelled: inertia, large strains (volumes stay), friction, walls that let go.
@@ -27,7 +27,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   /// physics, which moves them. Throws std::invalid_argument for settings that cannot be used and
   /// for walls and tractions that meet no material.
   QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFunction shape_function,
-              std::vector<LinearElastic> materials, QuasiStaticSettings settings,
+              const std::vector<Solid>& materials, QuasiStaticSettings settings,
               std::vector<Shape> shapes = {});
 
   std::string name() const override { return "quasi_static"; }
@@ -46,7 +46,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
 
   /// Force of each wall on the material in the last load step, N (per metre thickness in 2D).
   std::span<const Vec<Dim>> support_forces() const { return support_forces_; }
-  std::span<const double> stress() const { return stress_.values(); }              // rows x 6, Pa
+  std::span<const double> stress() const { return solids_.stress(); }              // rows x 6, Pa
   std::span<const double> displacement() const { return displacement_.values(); }  // rows x Dim, m
 
  private:
@@ -72,13 +72,13 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   Report attempt(double from, double to);
   Report try_step(double from, double to);
   void undo_reset(const Archive& before);
-  /// Largest principal strain of any point since the start, of either sign.
-  double largest_strain() const;
   /// Energy of what smoothing over the nodes changes in the stress, over its own.
   double roughness() const;
   double farthest_moved() const;
   void choose_stiffness(bool moved_far);
-  Eigen::VectorXd solve(const Equilibrium<Dim>& equilibrium, Report& report) const;
+  Eigen::VectorXd solve(Equilibrium<Dim>& equilibrium, Report& report);
+  void follow_tangent(Equilibrium<Dim>& equilibrium, const Eigen::VectorXd& u,
+                      double& elastic_share, Report& report);
   std::vector<Vec<Dim>> moves_of(const Equilibrium<Dim>& equilibrium,
                                  const Eigen::VectorXd& u) const;
   Eigen::VectorXd imbalance_at(double time);
@@ -90,7 +90,6 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
 
   Points& points_;
   Grid<Dim> grid_;
-  std::vector<LinearElastic> materials_;
   QuasiStaticSettings settings_;
   Boundary<Dim> boundary_;
   SupportScheme scheme_;
@@ -99,7 +98,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   bool update_volumes_ = true;
   std::vector<char> averaged_;  // by body: whether its dilatation is that of the cell
 
-  PointArray stress_;                       // Pa, rows x 6
+  SolidState solids_;
   PointArray start_volume_;                 // m^Dim, at the start: carries the body force
   PointArray displacement_;                 // m, rows x Dim
   PointArray guarded_;                      // rows x walls: 1 where a wall must keep the point
@@ -118,7 +117,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
 /// Throws std::invalid_argument as `QuasiStatic` and `Grid` do.
 std::unique_ptr<Physics> make_quasi_static(Points& points, const Vec3& lower, const Vec3& upper,
                                            double cell, ShapeFunction shape_function,
-                                           std::vector<LinearElastic> materials,
+                                           const std::vector<Solid>& materials,
                                            QuasiStaticSettings settings,
                                            std::vector<Shape> shapes = {});
 

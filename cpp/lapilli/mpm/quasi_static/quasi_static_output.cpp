@@ -1,6 +1,7 @@
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -11,14 +12,15 @@ namespace lapilli {
 
 template <int Dim>
 std::vector<Field> QuasiStatic<Dim>::fields() {
-  return {{"displacement", "m", Dim, displacement_.values()},
-          {"stress", "Pa", 6, stress_.values()}};
+  std::vector<Field> all{{"displacement", "m", Dim, displacement_.values()}};
+  std::ranges::copy(solids_.fields(), std::back_inserter(all));
+  return all;
 }
 
 template <int Dim>
 void QuasiStatic<Dim>::save(Archive& archive) const {
   archive.write("quasi_static/moved_far", Index{moved_far_});
-  archive.write("quasi_static/stress", stress_.values());
+  solids_.save(archive);
   archive.write("quasi_static/displacement", displacement_.values());
   archive.write("quasi_static/start_volume", start_volume_.values());
   archive.write("quasi_static/guarded", guarded_.values());
@@ -35,7 +37,7 @@ void QuasiStatic<Dim>::save(Archive& archive) const {
 
 template <int Dim>
 void QuasiStatic<Dim>::load(const Archive& archive) {
-  archive.read("quasi_static/stress", stress_.values());
+  solids_.load(archive);
   archive.read("quasi_static/displacement", displacement_.values());
   archive.read("quasi_static/start_volume", start_volume_.values());
   archive.read("quasi_static/guarded", guarded_.values());
@@ -49,24 +51,7 @@ void QuasiStatic<Dim>::load(const Archive& archive) {
   choose_stiffness(archive.read_index("quasi_static/moved_far") != 0);
   reference_.scheme = scheme_;
   reference_.load(archive);
-  reference_.locate(grid_, points_, materials_, averaged_, boundary_);
-}
-
-/// From the stress: it starts at zero and the law is elastic.
-template <int Dim>
-double QuasiStatic<Dim>::largest_strain() const {
-  double largest = 0.0;
-  for (Index p = 0; p < points_.size(); ++p) {
-    const LinearElastic& material = materials_[points_.body()[p]];
-    const double* s = stress_.data() + 6 * p;
-    const SymmetricTensor stress(s[0], s[1], s[2], s[3], s[4], s[5]);
-    const Eigen::SelfAdjointEigenSolver<Mat3> principal(stress.matrix(), Eigen::EigenvaluesOnly);
-    const double nu = material.poissons_ratio;
-    const Vec3 strain = ((1.0 + nu) * principal.eigenvalues().array() - nu * stress.trace()) /
-                        material.youngs_modulus;
-    largest = std::max(largest, strain.cwiseAbs().maxCoeff());
-  }
-  return largest;
+  reference_.locate(grid_, points_, solids_.elastic(), averaged_, boundary_);
 }
 
 /// Zienkiewicz & Zhu 1987: stresses averaged to the nodes and read again at the points, body by
@@ -91,7 +76,9 @@ double QuasiStatic<Dim>::roughness() const {
       body(value[a], node_of[{points_.body()[p], node}]);
     });
   };
-  const auto stress_at = [&](Index p) { return Eigen::Map<const Six>(stress_.data() + 6 * p); };
+  const auto stress_at = [&](Index p) {
+    return Eigen::Map<const Six>(solids_.stress().data() + 6 * p);
+  };
   for (Index p = 0; p < points_.size(); ++p) {
     visit(p, [&](double share, Averaged& node) {
       node.stress += share * points_.volume()[p] * stress_at(p);
@@ -100,7 +87,7 @@ double QuasiStatic<Dim>::roughness() const {
   }
   double whole = 0.0, changed = 0.0;
   for (Index p = 0; p < points_.size(); ++p) {
-    const LinearElastic& material = materials_[points_.body()[p]];
+    const LinearElastic& material = solids_.elastic(points_.body()[p]);
     const auto energy = [&](const Six& s) {
       const double nu = material.poissons_ratio, trace = s.head<3>().sum();
       return points_.volume()[p] / material.youngs_modulus *
@@ -132,7 +119,7 @@ std::vector<std::string> QuasiStatic<Dim>::warnings() const {
   // 0.006, and most above it are off by more than 1 %.
   constexpr double small = 0.02, smooth = 0.006, crossing = 0.5;
   std::vector<std::string> all;
-  if (const double strain = largest_strain(); strain > small) {
+  if (const double strain = solids_.largest_strain(points_); strain > small) {
     all.push_back(message("quasi_static: the largest strain is ", strain,
                           "; the law is one of small strains, good to about ", small));
   }
@@ -154,10 +141,14 @@ std::vector<std::string> QuasiStatic<Dim>::warnings() const {
 template <int Dim>
 std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() const {
   std::vector<std::pair<std::string, double>> numbers{
-      {"iterations", report_.newton.iterations},    {"residual", report_.newton.residual},
-      {"smallest pivot", report_.pivots.smallest},  {"largest pivot", report_.pivots.largest},
-      {"condition estimate", report_.condition},    {"halvings", report_.halvings},
-      {"deepest penetration", report_.penetration}, {"largest strain", largest_strain()},
+      {"iterations", report_.newton.iterations},
+      {"residual", report_.newton.residual},
+      {"smallest pivot", report_.pivots.smallest},
+      {"largest pivot", report_.pivots.largest},
+      {"condition estimate", report_.condition},
+      {"halvings", report_.halvings},
+      {"deepest penetration", report_.penetration},
+      {"largest strain", solids_.largest_strain(points_)},
   };
   const char* axes[] = {"x", "y", "z"};
   for (std::size_t w = 0; w < boundary_.walls(); ++w) {
@@ -174,7 +165,6 @@ std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() cons
   template void QuasiStatic<Dim>::save(Archive& archive) const;         \
   template void QuasiStatic<Dim>::load(const Archive& archive);         \
   template std::vector<std::string> QuasiStatic<Dim>::warnings() const; \
-  template double QuasiStatic<Dim>::largest_strain() const;             \
   template double QuasiStatic<Dim>::roughness() const;                  \
   template double QuasiStatic<Dim>::farthest_moved() const;             \
   template std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() const;

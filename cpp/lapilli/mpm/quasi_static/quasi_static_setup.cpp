@@ -15,14 +15,13 @@ constexpr double least_half_width = 0.02, largest_half_width = 0.499;
 
 template <int Dim>
 QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFunction shape_function,
-                              std::vector<LinearElastic> materials, QuasiStaticSettings settings,
+                              const std::vector<Solid>& materials, QuasiStaticSettings settings,
                               std::vector<Shape> shapes)
     : points_(points),
       grid_(grid),
-      materials_(std::move(materials)),
       settings_(std::move(settings)),
       boundary_(settings_, std::move(shapes)),
-      stress_(points, 6),
+      solids_(points, materials),
       start_volume_(points, 1),
       displacement_(points, Dim),
       guarded_(points, static_cast<int>(std::max<std::size_t>(1, boundary_.walls()))),
@@ -32,13 +31,6 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
           Dim);
   require(shape_function != ShapeFunction::bspline,
           "quasi_static takes grid.shape_function linear or gimp, not bspline");
-  for (const LinearElastic& material : materials_) {
-    check(material);
-  }
-  for (Index p = 0; p < points.size(); ++p) {
-    require(points.body()[p] >= 0 && points.body()[p] < static_cast<Index>(materials_.size()),
-            "body ", points.body()[p], " has no elastic material for quasi_static");
-  }
   std::copy_n(points.volume().data(), points.volume().size(), start_volume_.data());
   choose_schemes();
   if (shape_function == ShapeFunction::gimp) {
@@ -55,7 +47,8 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
 
 template <int Dim>
 void QuasiStatic<Dim>::choose_schemes() {
-  constexpr double locking = 0.4;  // Poisson ratio above which cells share one dilatation
+  constexpr double locking = 0.4;  // Poisson ratio above which cells share one dilatation, as
+                                   // where flow may keep the volume
   const bool literal = settings_.enforcement == Enforcement::literal;
   const double bandwidth = settings_.bandwidth.value_or(literal ? 1e-6 : 1e-3);
   const double gap = settings_.gap_bandwidth.value_or(0.05);
@@ -71,8 +64,9 @@ void QuasiStatic<Dim>::choose_schemes() {
   require(reset_ >= 0.0, "quasi_static: reset must not be negative, got ", *settings_.reset);
   require(settings_.body_force.size() <= Dim, "quasi_static: body_force has ",
           settings_.body_force.size(), " values, the scene has ", Dim, " axes");
-  for (const LinearElastic& material : materials_) {
-    averaged_.push_back(settings_.b_bar.value_or(material.poissons_ratio > locking && !literal));
+  for (Index body = 0; body < static_cast<Index>(solids_.elastic().size()); ++body) {
+    const bool locks = solids_.can_yield(body) || solids_.elastic(body).poissons_ratio > locking;
+    averaged_.push_back(settings_.b_bar.value_or(locks && !literal));
   }
 }
 
@@ -86,6 +80,9 @@ void QuasiStatic<Dim>::choose_stiffness(bool moved_far) {
   scheme_ =
       SupportScheme::of(settings_.enforcement, settings_.bandwidth.value_or(literal ? 1e-6 : 1e-3),
                         settings_.gap_bandwidth.value_or(soft ? 0.5 : 0.05));
+  if (solids_.can_yield()) {
+    scheme_.consistency = 0.0;  // the traction of elastic moduli is not that of what yields
+  }
 }
 
 template <int Dim>
@@ -112,13 +109,13 @@ void QuasiStatic<Dim>::start_half_widths() {
   }
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                          \
-  template QuasiStatic<Dim>::QuasiStatic(Points&, const Grid<Dim>&, ShapeFunction,        \
-                                         std::vector<LinearElastic>, QuasiStaticSettings, \
-                                         std::vector<Shape>);                             \
-  template void QuasiStatic<Dim>::choose_schemes();                                       \
-  template void QuasiStatic<Dim>::find_skin();                                            \
-  template void QuasiStatic<Dim>::choose_stiffness(bool);                                 \
+#define LAPILLI_INSTANTIATE(Dim)                                                         \
+  template QuasiStatic<Dim>::QuasiStatic(Points&, const Grid<Dim>&, ShapeFunction,       \
+                                         const std::vector<Solid>&, QuasiStaticSettings, \
+                                         std::vector<Shape>);                            \
+  template void QuasiStatic<Dim>::choose_schemes();                                      \
+  template void QuasiStatic<Dim>::choose_stiffness(bool);                                \
+  template void QuasiStatic<Dim>::find_skin();                                           \
   template void QuasiStatic<Dim>::start_half_widths();
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)
@@ -126,18 +123,17 @@ LAPILLI_INSTANTIATE(3)
 
 std::unique_ptr<Physics> make_quasi_static(Points& points, const Vec3& lower, const Vec3& upper,
                                            double cell, ShapeFunction shape_function,
-                                           std::vector<LinearElastic> materials,
+                                           const std::vector<Solid>& materials,
                                            QuasiStaticSettings settings,
                                            std::vector<Shape> shapes) {
   if (points.dimension() == 3) {
     return std::make_unique<QuasiStatic<3>>(points, Grid<3>(lower, upper, cell), shape_function,
-                                            std::move(materials), std::move(settings),
-                                            std::move(shapes));
+                                            materials, std::move(settings), std::move(shapes));
   }
   require(points.dimension() == 2, "quasi_static needs two or three dimensions, got ",
           points.dimension());
   return std::make_unique<QuasiStatic<2>>(points, Grid<2>(lower.head<2>(), upper.head<2>(), cell),
-                                          shape_function, std::move(materials), std::move(settings),
+                                          shape_function, materials, std::move(settings),
                                           std::move(shapes));
 }
 
