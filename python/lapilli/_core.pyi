@@ -8,7 +8,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['Annulus', 'Balance', 'Body', 'BodyContact', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeightField', 'Image', 'Intersection', 'Mesh', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify']
+__all__: list[str] = ['Annulus', 'Balance', 'Body', 'BodyContact', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'DruckerPrager', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'FunctionSolid', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeightField', 'Image', 'Intersection', 'Mesh', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'TabulatedMohrCoulomb', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'VonMises', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -1108,6 +1108,340 @@ class MohrCoulomb:
         """
     @tension_cutoff.setter
     def tension_cutoff(self, value: float) -> None:
+        ...
+    @property
+    def youngs_modulus(self) -> float:
+        """
+        stiffness in tension, Pa
+        """
+    @youngs_modulus.setter
+    def youngs_modulus(self, value: float) -> None:
+        ...
+class DruckerPrager:
+    """
+    Elastic, perfectly plastic soil with a smooth cone, cut at its apex.
+    
+    Parameters
+    ----------
+    density : float, kg/m^3, required
+        mass per undeformed volume; above 0 (kg/m^3)
+    youngs_modulus : float, Pa, required
+        stiffness in tension; above 0 (Pa)
+    poissons_ratio : float, default 0.0
+        lateral contraction, in (-1, 0.5); above -1 and at most 0.5
+    friction_angle : float, degree, required
+        friction angle; from 0 to 89.999 (degree)
+    dilatancy_angle : float, degree, default 0.0
+        dilatancy angle, at most the friction angle; from 0 to 89.999 (degree)
+    cohesion : float, Pa, default 0.0
+        shear strength without pressure; at least 0 (Pa)
+    fit : typing.Literal['plane_strain', 'compression', 'extension'], default 'plane_strain'
+        where the cone has the strength of Mohr-Coulomb of these angles: plane_strain, compression or extension (triaxial)
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, density: float, youngs_modulus: float, poissons_ratio: float = ..., friction_angle: float, dilatancy_angle: float = ..., cohesion: float = ..., fit: typing.Literal['plane_strain', 'compression', 'extension'] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def cohesion(self) -> float:
+        """
+        shear strength without pressure, Pa
+        """
+    @cohesion.setter
+    def cohesion(self, value: float) -> None:
+        ...
+    @property
+    def density(self) -> float:
+        """
+        mass per undeformed volume, kg/m^3
+        """
+    @density.setter
+    def density(self, value: float) -> None:
+        ...
+    @property
+    def dilatancy_angle(self) -> float:
+        """
+        dilatancy angle, at most the friction angle, degree
+        """
+    @dilatancy_angle.setter
+    def dilatancy_angle(self, value: float) -> None:
+        ...
+    @property
+    def fit(self) -> typing.Literal['plane_strain', 'compression', 'extension']:
+        """
+        where the cone has the strength of Mohr-Coulomb of these angles: plane_strain, compression or extension (triaxial)
+        """
+    @fit.setter
+    def fit(self, value: typing.Literal['plane_strain', 'compression', 'extension']) -> None:
+        ...
+    @property
+    def friction_angle(self) -> float:
+        """
+        friction angle, degree
+        """
+    @friction_angle.setter
+    def friction_angle(self, value: float) -> None:
+        ...
+    @property
+    def poissons_ratio(self) -> float:
+        """
+        lateral contraction, in (-1, 0.5)
+        """
+    @poissons_ratio.setter
+    def poissons_ratio(self, value: float) -> None:
+        ...
+    @property
+    def youngs_modulus(self) -> float:
+        """
+        stiffness in tension, Pa
+        """
+    @youngs_modulus.setter
+    def youngs_modulus(self, value: float) -> None:
+        ...
+class VonMises:
+    """
+    Elastic, plastic solid with von Mises' yield stress, hardening by a table.
+    
+    Parameters
+    ----------
+    density : float, kg/m^3, required
+        mass per undeformed volume; above 0 (kg/m^3)
+    youngs_modulus : float, Pa, required
+        stiffness in tension; above 0 (Pa)
+    poissons_ratio : float, default 0.0
+        lateral contraction, in (-1, 0.5); above -1 and at most 0.5
+    yield_stress : collections.abc.Sequence[float], Pa, required
+        uniaxial yield stress: a number, or one for each plastic strain, not falling; above 0 (Pa)
+    plastic_strain : collections.abc.Sequence[float], default ()
+        equivalent plastic strains of the yield stresses, rising from 0; linear between them, constant after the last; at least 0
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, density: float, youngs_modulus: float, poissons_ratio: float = ..., yield_stress: collections.abc.Sequence[float], plastic_strain: collections.abc.Sequence[float] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def density(self) -> float:
+        """
+        mass per undeformed volume, kg/m^3
+        """
+    @density.setter
+    def density(self, value: float) -> None:
+        ...
+    @property
+    def plastic_strain(self) -> collections.abc.Sequence[float]:
+        """
+        equivalent plastic strains of the yield stresses, rising from 0; linear between them, constant after the last
+        """
+    @plastic_strain.setter
+    def plastic_strain(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def poissons_ratio(self) -> float:
+        """
+        lateral contraction, in (-1, 0.5)
+        """
+    @poissons_ratio.setter
+    def poissons_ratio(self, value: float) -> None:
+        ...
+    @property
+    def yield_stress(self) -> collections.abc.Sequence[float]:
+        """
+        uniaxial yield stress: a number, or one for each plastic strain, not falling, Pa
+        """
+    @yield_stress.setter
+    def yield_stress(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def youngs_modulus(self) -> float:
+        """
+        stiffness in tension, Pa
+        """
+    @youngs_modulus.setter
+    def youngs_modulus(self, value: float) -> None:
+        ...
+class TabulatedMohrCoulomb:
+    """
+    Mohr-Coulomb soil whose strength and dilatancy are tables of its plastic strain.
+    
+    Parameters
+    ----------
+    density : float, kg/m^3, required
+        mass per undeformed volume; above 0 (kg/m^3)
+    youngs_modulus : float, Pa, required
+        stiffness in tension; above 0 (Pa)
+    poissons_ratio : float, default 0.0
+        lateral contraction, in (-1, 0.5); above -1 and at most 0.5
+    plastic_strain : collections.abc.Sequence[float], required
+        deviatoric plastic strains of the tables, rising from 0; linear in sines and strength between them, constant after the last; at least 0
+    friction_angle : collections.abc.Sequence[float], degree, required
+        friction angle, one or one a plastic strain; from 0 to 89.999 (degree)
+    dilatancy_angle : collections.abc.Sequence[float], degree, default 0.0
+        dilatancy angle, at most the friction angle, one or one a plastic strain; from 0 to 89.999 (degree)
+    cohesion : collections.abc.Sequence[float], Pa, default 0.0
+        shear strength without pressure, one or one a plastic strain; at least 0 (Pa)
+    tension_cutoff : float, Pa, default inf
+        largest principal stress; the apex of the cone where it is lower; at least 0 (Pa)
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, density: float, youngs_modulus: float, poissons_ratio: float = ..., plastic_strain: collections.abc.Sequence[float], friction_angle: collections.abc.Sequence[float], dilatancy_angle: collections.abc.Sequence[float] = ..., cohesion: collections.abc.Sequence[float] = ..., tension_cutoff: float = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def cohesion(self) -> collections.abc.Sequence[float]:
+        """
+        shear strength without pressure, one or one a plastic strain, Pa
+        """
+    @cohesion.setter
+    def cohesion(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def density(self) -> float:
+        """
+        mass per undeformed volume, kg/m^3
+        """
+    @density.setter
+    def density(self, value: float) -> None:
+        ...
+    @property
+    def dilatancy_angle(self) -> collections.abc.Sequence[float]:
+        """
+        dilatancy angle, at most the friction angle, one or one a plastic strain, degree
+        """
+    @dilatancy_angle.setter
+    def dilatancy_angle(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def friction_angle(self) -> collections.abc.Sequence[float]:
+        """
+        friction angle, one or one a plastic strain, degree
+        """
+    @friction_angle.setter
+    def friction_angle(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def plastic_strain(self) -> collections.abc.Sequence[float]:
+        """
+        deviatoric plastic strains of the tables, rising from 0; linear in sines and strength between them, constant after the last
+        """
+    @plastic_strain.setter
+    def plastic_strain(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def poissons_ratio(self) -> float:
+        """
+        lateral contraction, in (-1, 0.5)
+        """
+    @poissons_ratio.setter
+    def poissons_ratio(self, value: float) -> None:
+        ...
+    @property
+    def tension_cutoff(self) -> float:
+        """
+        largest principal stress; the apex of the cone where it is lower, Pa
+        """
+    @tension_cutoff.setter
+    def tension_cutoff(self, value: float) -> None:
+        ...
+    @property
+    def youngs_modulus(self) -> float:
+        """
+        stiffness in tension, Pa
+        """
+    @youngs_modulus.setter
+    def youngs_modulus(self, value: float) -> None:
+        ...
+class FunctionSolid:
+    """
+    A solid whose stress is a function over blocks of points.
+    
+    Parameters
+    ----------
+    density : float, kg/m^3, required
+        mass per undeformed volume; above 0 (kg/m^3)
+    youngs_modulus : float, Pa, required
+        stiffness in tension; above 0 (Pa)
+    poissons_ratio : float, default 0.0
+        lateral contraction, in (-1, 0.5); above -1 and at most 0.5
+    function : collections.abc.Callable[..., typing.Any], required
+        (strain_increment, stress, state, time_step) of arrays with a row a point and the columns xx, yy, zz, xy, yz, xz; returns the stress, or the stress and the state
+    state : collections.abc.Sequence[str], default ()
+        names of its state variables
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, density: float, youngs_modulus: float, poissons_ratio: float = ..., function: collections.abc.Callable[..., typing.Any], state: collections.abc.Sequence[str] = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def density(self) -> float:
+        """
+        mass per undeformed volume, kg/m^3
+        """
+    @density.setter
+    def density(self, value: float) -> None:
+        ...
+    @property
+    def function(self) -> collections.abc.Callable[..., typing.Any]:
+        """
+        (strain_increment, stress, state, time_step) of arrays with a row a point and the columns xx, yy, zz, xy, yz, xz; returns the stress, or the stress and the state
+        """
+    @function.setter
+    def function(self, value: collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
+    def poissons_ratio(self) -> float:
+        """
+        lateral contraction, in (-1, 0.5)
+        """
+    @poissons_ratio.setter
+    def poissons_ratio(self, value: float) -> None:
+        ...
+    @property
+    def state(self) -> collections.abc.Sequence[str]:
+        """
+        names of its state variables
+        """
+    @state.setter
+    def state(self, value: collections.abc.Sequence[str]) -> None:
         ...
     @property
     def youngs_modulus(self) -> float:
@@ -2720,7 +3054,7 @@ class Body:
         direction that stays, in three dimensions
     translation : collections.abc.Sequence[float], m, default ()
         displacement after the turn
-    material : list[Thermal | Elastic | Newtonian | MohrCoulomb | ThermalExpansion | PlasticHeating], required
+    material : list[Thermal | Newtonian | ThermalExpansion | PlasticHeating | Elastic | MohrCoulomb | DruckerPrager | VonMises | TabulatedMohrCoulomb | FunctionSolid], required
         what it is made of: one material, or one for each physics
     temperature : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, default 0.0
         temperature at the start
@@ -2739,7 +3073,7 @@ class Body:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., fill: typing.Literal['exact', 'lattice'] | None | str = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Elastic | Newtonian | MohrCoulomb | ThermalExpansion | PlasticHeating], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., geostatic: Geostatic | None = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
+    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., fill: typing.Literal['exact', 'lattice'] | None | str = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Newtonian | ThermalExpansion | PlasticHeating | Elastic | MohrCoulomb | DruckerPrager | VonMises | TabulatedMohrCoulomb | FunctionSolid], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., geostatic: Geostatic | None = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -2772,12 +3106,12 @@ class Body:
     def jitter(self, value: float) -> None:
         ...
     @property
-    def material(self) -> list[Thermal | Elastic | Newtonian | MohrCoulomb | ThermalExpansion | PlasticHeating]:
+    def material(self) -> list[Thermal | Newtonian | ThermalExpansion | PlasticHeating | Elastic | MohrCoulomb | DruckerPrager | VonMises | TabulatedMohrCoulomb | FunctionSolid]:
         """
         what it is made of: one material, or one for each physics
         """
     @material.setter
-    def material(self, value: list[Thermal | Elastic | Newtonian | MohrCoulomb | ThermalExpansion | PlasticHeating]) -> None:
+    def material(self, value: list[Thermal | Newtonian | ThermalExpansion | PlasticHeating | Elastic | MohrCoulomb | DruckerPrager | VonMises | TabulatedMohrCoulomb | FunctionSolid]) -> None:
         ...
     @property
     def motion(self) -> Rotation | Translation | Swirl | None:
