@@ -47,7 +47,7 @@ SOLIDS = [
 def test_plastic_strain_is_in_frames_and_goes_on_after_a_resume(
     solid: object, tmp_path: Path
 ) -> None:
-    scene = column(solid, end=0.1, cell=0.2)
+    scene = column(solid, end=0.1, cell=0.25)
     scene.output = lp.Output(path=str(tmp_path / "whole.vtkhdf"), every=0.05)
     lp.run(scene, progress=False)
     whole = lp.Frames(tmp_path / "whole.vtkhdf")[-1]
@@ -69,12 +69,12 @@ def test_solids_read_back_from_toml(solid: object) -> None:
 
 
 def test_a_plastic_strain_of_two_solids_is_one_field() -> None:
-    scene = column(SOLIDS[0], end=0.02, cell=0.2)
+    scene = column(SOLIDS[0], end=0.02, cell=0.25)
     scene.bodies.append(
         lp.Body(shape=lp.Box(lower=(2, 0), upper=(3, 1)), material=lp.Elastic(**SAND))
     )
     simulation = finished(scene)
-    assert simulation["plastic_strain"][simulation.body == 1].max() == 0.0
+    assert simulation["plastic_strain"][simulation.position[:, 0] > 1.8].max() == 0.0
 
 
 def test_dilatancy_ends_at_the_critical_state() -> None:

@@ -110,7 +110,7 @@ TEST_CASE("a number that is not finite from a function names the body and the co
   solid.elastic = sand;
   solid.function = [](const PointBlock& block) { block.stress[6 * 3 + 1] = NAN; };
   Falling<2> run(solid);
-  run.problem.bodies[0].name = "body 'sand'";
+  run.problem.bodies[0].label = "body 'sand'";
   run.start();
   REQUIRE_THROWS_WITH(run.advance(1e-4),
                       Catch::Contains("body 'sand' gave nan for stress yy of point 3"));

@@ -73,9 +73,13 @@ class RandomMembers {
     for_each_kind<T>([&](auto type) {
       using Alternative = typename decltype(type)::type;
       if (choice-- == 0) {
-        Alternative alternative{};
-        fill(Key(""), alternative, depth + 1);
-        variant_of(member) = std::move(alternative);
+        if constexpr (std::is_same_v<Alternative, FunctionSolid>) {
+          fill_kind(member, depth);  // functions are not written
+        } else {
+          Alternative alternative{};
+          fill(Key(""), alternative, depth + 1);
+          variant_of(member) = std::move(alternative);
+        }
       }
     });
   }

@@ -65,7 +65,7 @@ TEST_CASE("settings that are read are not named") {
 TEST_CASE("a material and a start without their physics are named") {
   Scene scene = with({"bodies[0].temperature=5"});
   scene.heat.reset();
-  scene.bodies[0].material.push_back(Newtonian{});
+  scene.bodies[0].material.emplace_back(Newtonian{});
   const std::vector<std::string> notes = unused_settings(scene);
   REQUIRE(notes.size() == 3);
   CHECK_THAT(notes[0], Contains("bodies[0].temperature has no effect: the scene has no heat"));
