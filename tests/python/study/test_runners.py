@@ -13,7 +13,6 @@ import pytest
 
 from lapilli.study import InProcess, LocalPool
 
-
 # Worker processes do not find the modules of tests.
 cloudpickle.register_pickle_by_value(sys.modules[__name__])
 
