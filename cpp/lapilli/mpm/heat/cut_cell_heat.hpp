@@ -136,6 +136,7 @@ class CutCellHeat final : public Physics, public HasSurface {
   double lowest_ = 0.0, highest_ = 0.0;  // K, of all temperatures so far, for adaptive steps
   double explicit_error_ = 0.0;          // K, estimated
   Index implicit_steps_ = 0;
+  double factor_size_ = 0.0;  // s, of the implicit step that the factor belongs to
 
   TemperatureRange range_;  // that conduction and exchange can reach
   std::unique_ptr<PointArray> output_temperature_, output_flux_;  // made when first looked at

@@ -197,7 +197,12 @@ StepReport CutCellHeat<Dim>::advance_adaptively(const Step& step) {
   double error = 0.0, done = 0.0, size = step.size;
   while (done < step.size) {
     const double left = step.size - done;
-    size = left < size * (1.0 + 1e-6) ? left : size;
+    const bool is_last = left < size * (1.0 + 1e-6);
+    size = is_last ? left : size;
+    if (std::abs(size - factor_size_) <= 1e-9 * size) {
+      size = factor_size_;  // but for rounding the same: the factor serves again
+    }
+    factor_size_ = size;
     if (!try_all(step.time + done, size, attempts, error)) {
       size = adaptive_.shorter(size, error);
       if (!adaptive_.is_worth(size)) {
@@ -213,7 +218,7 @@ StepReport CutCellHeat<Dim>::advance_adaptively(const Step& step) {
     widen_span();
     ++implicit_steps_;
     adaptive_.follow(size, error);
-    done = size == left ? step.size : done + size;
+    done = is_last ? step.size : done + size;
   }
   return report;
 }

@@ -132,6 +132,7 @@ void CutCellHeat<Dim>::save_stepping(Archive& archive) const {
   archive.write("heat/stepping/highest", highest_);
   archive.write("heat/stepping/explicit_error", explicit_error_);
   archive.write("heat/stepping/implicit_steps", implicit_steps_);
+  archive.write("heat/stepping/factor_size", factor_size_);
   for (std::size_t k = 0; k < solved_.size(); ++k) {
     archive.write(message("heat/stepping/earlier ", k), solved_[k].earlier);
     if (const auto& all = solved_[k].all) {
@@ -148,6 +149,7 @@ void CutCellHeat<Dim>::load_stepping(const Archive& archive) {
   highest_ = archive.read_number("heat/stepping/highest");
   explicit_error_ = archive.read_number("heat/stepping/explicit_error");
   implicit_steps_ = archive.read_index("heat/stepping/implicit_steps");
+  factor_size_ = archive.read_number("heat/stepping/factor_size");
   for (std::size_t k = 0; k < solved_.size(); ++k) {
     Solved& one = solved_[k];
     one.earlier = archive.read_numbers(message("heat/stepping/earlier ", k));
