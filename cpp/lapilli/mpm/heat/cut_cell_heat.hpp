@@ -108,6 +108,8 @@ class CutCellHeat final : public Physics, public HasSurface {
                             double factor, std::span<double> of_laws, double& of_sources);
   void commit(Solved& one, const Attempt& attempt);
   double largest_error() const;
+  /// Of all temperatures so far, and not less than what rounding leaves of them, K.
+  double temperature_span() const;
   void save_stepping(Archive& archive) const;
   void load_stepping(const Archive& archive);
   void widen_span();

@@ -162,7 +162,7 @@ void CutCellHeat<Dim>::commit(Solved& one, const Attempt& attempt) {
 template <int Dim>
 bool CutCellHeat<Dim>::try_all(double begin, double size, std::vector<Attempt>& attempts,
                                double& error) {
-  const double span = std::max(highest_ - lowest_, 1e-300);
+  const double span = temperature_span();
   attempts.assign(solved_.size(), {});
   error = 0.0;
   for (std::size_t k = 0; k < solved_.size(); ++k) {

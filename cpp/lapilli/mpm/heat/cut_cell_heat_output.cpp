@@ -89,8 +89,7 @@ std::vector<std::pair<std::string, double>> CutCellHeat<Dim>::diagnostics() cons
   std::vector<std::pair<std::string, double>> all = {
       {"surface_area", area}, {"free_surface_area", free}, {"nodal_stray", stray}};
   if (is_adaptive()) {
-    const double span = std::max(highest_ - lowest_, 1e-300);
-    all.emplace_back("time_error", largest_error() / span);
+    all.emplace_back("time_error", largest_error() / temperature_span());
     all.emplace_back("implicit_steps", static_cast<double>(implicit_steps_));
   }
   return all;

@@ -126,6 +126,12 @@ double CutCellHeat<Dim>::largest_error() const {
 }
 
 template <int Dim>
+double CutCellHeat<Dim>::temperature_span() const {
+  const double rounding = 1e-9 * std::max(std::abs(lowest_), std::abs(highest_));
+  return std::max({highest_ - lowest_, rounding, 1e-300});
+}
+
+template <int Dim>
 void CutCellHeat<Dim>::save_stepping(Archive& archive) const {
   adaptive_.save(archive);
   archive.write("heat/stepping/lowest", lowest_);
@@ -168,6 +174,7 @@ void CutCellHeat<Dim>::load_stepping(const Archive& archive) {
   template void CutCellHeat<Dim>::choose_steps(const Step&);             \
   template void CutCellHeat<Dim>::watch_curvature(Solved&, const Step&); \
   template void CutCellHeat<Dim>::widen_span();                          \
+  template double CutCellHeat<Dim>::temperature_span() const;            \
   template double CutCellHeat<Dim>::largest_error() const;               \
   template void CutCellHeat<Dim>::save_stepping(Archive&) const;         \
   template void CutCellHeat<Dim>::load_stepping(const Archive&);

@@ -35,8 +35,9 @@ void CutCellHeat<Dim>::connect_surface(std::vector<double>& rates) {
     if (is_implicit()) {
       elsewhere.assign(laws_.size(), true);
     }
-    one.near.surface = SurfaceTerm(
-        laws_, is_adaptive() ? one.part.surface : std::move(one.part.surface), elsewhere);
+    one.near.surface =
+        SurfaceTerm(laws_, is_adaptive() ? one.part.surface : std::move(one.part.surface),
+                    static_cast<Eigen::Index>(one.near.unknown_place.size()), elsewhere);
     one.part.nodal = {};
   }
 }

@@ -71,7 +71,8 @@ void CutCellHeat<Dim>::number_all_leaders(Solved& one) const {
     nodes.setFromTriplets(here.begin(), here.end());
     law.trace = SurfaceTerm::Trace(nodes * rows);
   }
-  all.surface = SurfaceTerm(laws_, std::move(surface), std::vector<bool>(laws_.size(), false));
+  all.surface =
+      SurfaceTerm(laws_, std::move(surface), count, std::vector<bool>(laws_.size(), false));
 }
 
 template <int Dim>

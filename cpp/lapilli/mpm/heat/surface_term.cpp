@@ -17,7 +17,8 @@ Eigen::Map<const Vector> mapped(const std::vector<double>& values) {
 }  // namespace
 
 SurfaceTerm::SurfaceTerm(const SurfaceConditions& laws, std::vector<Part> parts,
-                         const std::vector<bool>& elsewhere) {
+                         Eigen::Index unknowns, const std::vector<bool>& elsewhere)
+    : force_(Vector::Zero(unknowns)) {
   for (std::size_t law = 0; law < parts.size(); ++law) {
     Known known;
     known.given = std::move(parts[law]);
@@ -39,7 +40,6 @@ SurfaceTerm::SurfaceTerm(const SurfaceConditions& laws, std::vector<Part> parts,
     if (known.uniform && !known.elsewhere) {
       known.areas = Matrix(trace.transpose()) * Matrix(area.asDiagonal() * trace);
     }
-    force_ = Vector::Zero(trace.cols());
     parts_.push_back(std::move(known));
   }
 }

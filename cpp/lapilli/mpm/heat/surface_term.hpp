@@ -29,8 +29,9 @@ class SurfaceTerm {
   };
 
   SurfaceTerm() = default;
-  /// `parts` by law; laws of which `elsewhere` says so are taken into account by others.
-  SurfaceTerm(const SurfaceConditions& laws, std::vector<Part> parts,
+  /// `parts` by law, over `unknowns`; laws of which `elsewhere` says so are taken into account by
+  /// others.
+  SurfaceTerm(const SurfaceConditions& laws, std::vector<Part> parts, Eigen::Index unknowns,
               const std::vector<bool>& elsewhere);
 
   bool empty() const { return empty_; }
