@@ -70,6 +70,16 @@ py::object by_id(const py::object& self, const std::string& name) {
 }
 
 std::string unit_of(PythonSimulation& simulation, const std::string& name) {
+  if (name == "position") {
+    return "m";
+  }
+  if (name == "volume") {
+    const int dimension = simulation.get().points().dimension();
+    return dimension == 1 ? "m" : "m^" + std::to_string(dimension);
+  }
+  if (name == "id" || name == "body") {
+    return "";
+  }
   for (const Field& field : simulation.get().fields()) {
     if (field.name == name) {
       return field.unit;

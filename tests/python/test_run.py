@@ -174,3 +174,12 @@ def test_positions_have_rows_and_columns_in_one_dimension_too(steel: lp.Thermal)
     simulation = lp.Simulation(scene)
     assert simulation.position.shape == (len(simulation), 1)
     assert simulation["temperature"].shape == (len(simulation),)
+
+
+def test_every_field_has_a_unit(ring: lp.Scene) -> None:
+    simulation = lp.Simulation(ring)
+    units = {name: simulation.unit(name) for name in simulation.fields}
+    assert units["position"] == "m"
+    assert units["volume"] == "m^2"
+    assert units["id"] == ""
+    assert units["temperature"] == "K"
