@@ -15,7 +15,7 @@ void SymmetricFactor::analyse(const SparseMatrix& matrix,
     rank[order_[k]] = k;
   }
   // The numbers of entries are ordered along with them.
-  Eigen::SparseMatrix<double, Eigen::ColMajor, int> numbered(size, size);
+  lower_.resize(size, size);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<std::size_t>(matrix.nonZeros() / 2 + size));
   for (int column = 0; column < size; ++column) {
@@ -26,14 +26,12 @@ void SymmetricFactor::analyse(const SparseMatrix& matrix,
       }
     }
   }
-  numbered.setFromTriplets(entries.begin(), entries.end());
-  lower_ = numbered;
+  lower_.setFromTriplets(entries.begin(), entries.end());
   entry_of_.resize(static_cast<std::size_t>(lower_.nonZeros()));
   for (Index k = 0; k < lower_.nonZeros(); ++k) {
-    entry_of_[k] = static_cast<Index>(numbered.valuePtr()[k]);
+    entry_of_[k] = static_cast<Index>(lower_.valuePtr()[k]);
   }
-  std::vector<int> part_start(elimination.part_start);
-  solver_.analyse(lower_, part_start);
+  solver_.analyse(lower_, elimination.part_start);
 }
 
 PivotReport SymmetricFactor::factorise(const SparseMatrix& matrix) {

@@ -144,6 +144,22 @@ SurfaceTerm::Vector CutCellHeat<Dim>::gather(const System& system, std::span<con
 }
 
 template <int Dim>
+void CutCellHeat<Dim>::scatter(const System& system, const SurfaceTerm::Vector& some,
+                               std::span<double> values) {
+  for (std::size_t k = 0; k < system.unknown_place.size(); ++k) {
+    values[system.unknown_place[k]] = some[static_cast<Eigen::Index>(k)];
+  }
+}
+
+template <int Dim>
+bool CutCellHeat<Dim>::is_linear(const Solved& one) const {
+  return laws_.is_linear() &&
+         std::none_of(one.part.sources.begin(), one.part.sources.end(), [&](const auto& own) {
+           return problem_.bodies[own.body].source.is_function();
+         });
+}
+
+template <int Dim>
 StepReport CutCellHeat<Dim>::advance(const Step& step) {
   StepReport report{step.size, 0, 0.0};
   if (adaptive_.are_implicit()) {

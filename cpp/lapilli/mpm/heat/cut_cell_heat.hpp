@@ -98,6 +98,7 @@ class CutCellHeat final : public Physics, public HasSurface {
   void watch_curvature(Solved& one, const Step& step);
   /// `last`: size of the last explicit step, s.
   void begin_implicit_steps(double last);
+  void end_implicit_steps();
   StepReport advance_adaptively(const Step& step);
   /// Explicit steps over [begin, begin + size], where implicit ones are refused.
   void cover_explicitly(const Step& step, double begin, double size);
@@ -122,6 +123,10 @@ class CutCellHeat final : public Physics, public HasSurface {
 
   void require_finite() const;
   static SurfaceTerm::Vector gather(const System& system, std::span<const double> values);
+  static void scatter(const System& system, const SurfaceTerm::Vector& some,
+                      std::span<double> values);
+  /// Whether neither laws nor sources of a part depend on the temperature but linearly.
+  bool is_linear(const Solved& one) const;
 
   Points& points_;
   HeatProblem<Dim> problem_;

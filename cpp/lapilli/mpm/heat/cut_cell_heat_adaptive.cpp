@@ -54,9 +54,7 @@ Vector CutCellHeat<Dim>::rates(Solved& one, const Vector& at, double from, doubl
   Vector sum = factor * (all.surface.force() - all.conduction * at);
   if (!one.part.sources.empty()) {
     std::vector<double> nodal(one.part.temperature), heat(nodal.size(), 0.0);
-    for (std::size_t k = 0; k < all.unknown_place.size(); ++k) {
-      nodal[all.unknown_place[k]] = at[static_cast<Eigen::Index>(k)];
-    }
+    scatter(all, at, nodal);
     one.part.followers.prolong(nodal);
     const double span = to - from;  // sources are given as heat over a span
     of_sources += factor / span * source_heat(one, nodal, from, span, heat);
@@ -92,10 +90,7 @@ bool CutCellHeat<Dim>::try_implicitly(Solved& one, double begin, double size, At
   System& all = *one.all;
   const Vector start = gather(all, one.part.temperature);
   const Vector capacity = gather(all, one.part.capacity);
-  bool linear = laws_.is_linear();
-  for (const auto& own : one.part.sources) {
-    linear = linear && !problem_.bodies[own.body].source.is_function();
-  }
+  const bool linear = is_linear(one);
   // Steps end at the entries of tables, which are asked just inside of the step.
   const double instant = 1e-6 * size, end = begin + size, at_middle = begin + middle * size;
   const double weight = implicit_weight * size, before = earlier_weight * size;
@@ -149,9 +144,7 @@ bool CutCellHeat<Dim>::try_implicitly(Solved& one, double begin, double size, At
 template <int Dim>
 void CutCellHeat<Dim>::commit(Solved& one, const Attempt& attempt) {
   System& all = *one.all;
-  for (std::size_t k = 0; k < all.unknown_place.size(); ++k) {
-    one.part.temperature[all.unknown_place[k]] = attempt.end[static_cast<Eigen::Index>(k)];
-  }
+  scatter(all, attempt.end, one.part.temperature);
   all.error = attempt.error;
   all.rate.resize(0);
   keep_in_range(one);
@@ -185,9 +178,7 @@ void CutCellHeat<Dim>::cover_explicitly(const Step& step, double begin, double s
   }
   explicit_error_ = largest_error();
   adaptive_.give_up(begin + size);
-  for (Solved& one : solved_) {
-    one.all.reset();
-  }
+  end_implicit_steps();
 }
 
 template <int Dim>

@@ -47,6 +47,10 @@ double CutCellHeat<Dim>::next_entry(double time) const {
 
 template <int Dim>
 void CutCellHeat<Dim>::choose_steps(const Step& last) {
+  // The first implicit step comes after a look at how explicit ones bend.
+  if (!adaptive_.are_implicit() && (last.index + 1) % watch_every != 0) {
+    return;
+  }
   const double now = time_ * (1.0 + 1e-12);  // where a step has ended at an entry
   double jump = laws_.last_jump(now);
   for (const HeatBody& body : problem_.bodies) {
@@ -54,16 +58,20 @@ void CutCellHeat<Dim>::choose_steps(const Step& last) {
       jump = std::max(jump, at);
     }
   }
-  // The first implicit step comes after a look at how explicit ones bend.
-  const bool ready = adaptive_.are_implicit() || (last.index + 1) % watch_every == 0;
-  if (ready && adaptive_.choose(time_, jump, next_entry(time_))) {
-    if (adaptive_.are_implicit()) {
-      begin_implicit_steps(last.size);
-    } else {
-      for (Solved& one : solved_) {
-        one.all.reset();
-      }
-    }
+  if (!adaptive_.choose(time_, jump, next_entry(time_))) {
+    return;
+  }
+  if (adaptive_.are_implicit()) {
+    begin_implicit_steps(last.size);
+  } else {
+    end_implicit_steps();
+  }
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::end_implicit_steps() {
+  for (Solved& one : solved_) {
+    one.all.reset();
   }
 }
 
@@ -173,6 +181,7 @@ void CutCellHeat<Dim>::load_stepping(const Archive& archive) {
   template double CutCellHeat<Dim>::next_entry(double) const;            \
   template void CutCellHeat<Dim>::choose_steps(const Step&);             \
   template void CutCellHeat<Dim>::watch_curvature(Solved&, const Step&); \
+  template void CutCellHeat<Dim>::end_implicit_steps();                  \
   template void CutCellHeat<Dim>::widen_span();                          \
   template double CutCellHeat<Dim>::temperature_span() const;            \
   template double CutCellHeat<Dim>::largest_error() const;               \

@@ -142,9 +142,7 @@ void CutCellHeat<Dim>::exchange_with_surroundings(Solved& one, const Step& step)
   } else {
     rise = before + step.size * near.surface.force().cwiseQuotient(capacity);
   }
-  for (std::size_t k = 0; k < near.unknown_place.size(); ++k) {
-    one.increment[near.unknown_place[k]] = rise[static_cast<Eigen::Index>(k)];
-  }
+  scatter(near, rise, one.increment);
   book_laws(one, step.size, later, capacity.dot(rise - before));
 }
 

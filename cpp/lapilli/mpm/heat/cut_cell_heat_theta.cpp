@@ -81,10 +81,7 @@ void CutCellHeat<Dim>::take_implicit_step(Solved& one, double begin, double size
   using Vector = SurfaceTerm::Vector;
   System& all = *one.all;
   const double end = begin + size;
-  bool linear = laws_.is_linear();
-  for (const auto& own : one.part.sources) {
-    linear = linear && !problem_.bodies[own.body].source.is_function();
-  }
+  const bool linear = is_linear(one);
   const int iterations_allowed = linear ? 1 : 30;
   const Vector start = gather(all, one.part.temperature);
   const Vector capacity = gather(all, one.part.capacity);
@@ -93,9 +90,7 @@ void CutCellHeat<Dim>::take_implicit_step(Solved& one, double begin, double size
     if (one.part.sources.empty()) {
       return Vector(Vector::Zero(at.size()));
     }
-    for (std::size_t k = 0; k < all.unknown_place.size(); ++k) {
-      nodal[all.unknown_place[k]] = at[static_cast<Eigen::Index>(k)];
-    }
+    scatter(all, at, nodal);
     one.part.followers.prolong(nodal);
     std::vector<double> heat(nodal.size(), 0.0);
     sum = factor * source_heat(one, nodal, begin, size, heat);
@@ -139,9 +134,7 @@ void CutCellHeat<Dim>::take_implicit_step(Solved& one, double begin, double size
       break;
     }
   }
-  for (std::size_t k = 0; k < all.unknown_place.size(); ++k) {
-    nodal[all.unknown_place[k]] = trial[static_cast<Eigen::Index>(k)];
-  }
+  scatter(all, trial, nodal);
   one.range.restore(one.part, range_, nodal);
   if (weight < 1.0 && one.range.stray(nodal, range_) > 1e-10 * (range_.high - range_.low)) {
     report.accepted = 0.0;  // beyond what neighbours can take up
