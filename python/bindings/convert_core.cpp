@@ -186,4 +186,34 @@ py::object Convert<SymmetricTensor>::show(const Key& key, const SymmetricTensor&
                             : Convert<std::array<double, 6>>::show(key, member.components);
 }
 
+bool is_temperature_table(py::handle given) {
+  return py::isinstance<py::dict>(given) ||
+         ((PyTuple_Check(given.ptr()) || PyList_Check(given.ptr())) && py::len(given) == 2);
+}
+
+TemperatureTable temperature_table_from(const Where& where, py::handle given) {
+  const bool named = py::isinstance<py::dict>(given);
+  const auto column = [&](const char* name, int number) -> py::object {
+    if (!named) {
+      return given[py::int_(number)];
+    }
+    const auto both = py::reinterpret_borrow<py::dict>(given);
+    if (both.size() != 2 || !both.contains(name)) {
+      where.refuse("a table {\"temperatures\": [...], \"values\": [...]}", given);
+    }
+    return both[name];
+  };
+  TemperatureTable table;
+  const auto numbers = Where{Key(where.key.name), where.owner};
+  Convert<std::vector<double>>::load(numbers, column("temperatures", 0), table.temperatures);
+  Convert<std::vector<double>>::load(numbers, column("values", 1), table.values);
+  const std::string mistake = mistake_in(table);
+  require(mistake.empty(), where.owner, where.owner.empty() ? "" : ": ", where.key.name, " ",
+          mistake);
+  for (const double value : table.values) {
+    check_range(where.key, value, where.owner);
+  }
+  return table;
+}
+
 }  // namespace lapilli::python

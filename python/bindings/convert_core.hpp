@@ -5,7 +5,7 @@
 #include "convert.hpp"
 #include "initialized.hpp"
 #include "lapilli/core/value.hpp"
-#include "lapilli/materials/symmetric_tensor.hpp"
+#include "lapilli/materials/over_temperature.hpp"
 
 namespace lapilli::python {
 
@@ -57,6 +57,37 @@ struct Convert<SymmetricTensor> {
   static std::string type_name() { return "float | collections.abc.Sequence[float]"; }
   static void load(const Where& where, py::handle given, SymmetricTensor& member);
   static py::object show(const Key& key, const SymmetricTensor& member);
+};
+
+/// A pair (temperatures, values), or a mapping of both, as a table over the temperature; throws
+/// std::invalid_argument for one that cannot be used.
+TemperatureTable temperature_table_from(const Where& where, py::handle given);
+/// Whether something given can only be meant as a table over the temperature.
+bool is_temperature_table(py::handle given);
+
+/// The constant, or a pair (temperatures, values).
+template <class Constant>
+struct Convert<OverTemperature<Constant>> {
+  static constexpr bool keeps_object = false;
+  static std::string type_name() {
+    return Convert<Constant>::type_name() +
+           " | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]]";
+  }
+  static void load(const Where& where, py::handle given, OverTemperature<Constant>& member) {
+    if (is_temperature_table(given)) {
+      member = temperature_table_from(where, given);
+      return;
+    }
+    Constant constant{};
+    Convert<Constant>::load(where, given, constant);
+    member = constant;
+  }
+  static py::object show(const Key& key, const OverTemperature<Constant>& member) {
+    if (const TemperatureTable* table = member.table()) {
+      return py::make_tuple(table->temperatures, table->values);
+    }
+    return Convert<Constant>::show(key, member.constant());
+  }
 };
 
 }  // namespace lapilli::python

@@ -18,7 +18,8 @@ void bind_materials(py::module_& module) {
                          "A viscous fluid, slightly lighter or heavier with temperature.");
   bind_struct<Thermal>(
       module, "Thermal",
-      "A solid that stores and conducts heat (Fourier), with constant coefficients.");
+      "A solid that stores and conducts heat (Fourier) and may melt; what depends on the "
+      "temperature is a pair (temperatures, values).");
   bind_struct<LinearElastic>(module, "Elastic", "An isotropic linear elastic solid.");
   bind_struct<MohrCoulomb>(module, "MohrCoulomb",
                            "Elastic, perfectly plastic soil with friction, dilation, cohesion and "

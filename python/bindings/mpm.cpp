@@ -17,6 +17,8 @@ void bind_mpm(py::module_& module) {
                          "T^4), in absolute kelvin.");
   bind_struct<PrescribedTemperature>(module, "PrescribedTemperature",
                                      "A temperature held on a surface that need not fit the grid.");
+  bind_struct<HeatContact>(module, "HeatContact",
+                           "A thermal resistance where two bodies, or all other pairs, touch.");
   bind_struct<HeatSettings>(module, "Heat", "Heat conduction: the section [heat] of a scene.");
   bind_struct<NoSlipBoundary>(module, "NoSlipBoundary",
                               "A face of the grid that the material sticks to.");

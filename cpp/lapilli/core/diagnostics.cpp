@@ -26,6 +26,8 @@ constexpr Known known_diagnostics[] = {
     {"time_error", "", false,
      "estimated error of the steps so far, as a share of the span of temperatures"},
     {"implicit_steps", "", false, "implicit steps taken so far"},
+    {"heat_from_", "J", true, "heat that has passed from one body to another"},
+    {"liquid_volume", "m^3", true, "volume of what has melted"},
     {"iterations", "", false, "iterations of the last solve"},
     {"residual", "", false, "relative residual of the last solve"},
     {"smallest_pivot", "", false, "smallest pivot of the last factorisation"},
@@ -64,6 +66,9 @@ std::string unit_in(int dimension, const Known& known) {
   }
   if (unit == "m^2") {
     return dimension == 2 ? "m" : "";
+  }
+  if (unit == "m^3") {
+    return dimension == 2 ? "m^2" : "m";
   }
   return unit + (dimension == 2 ? "/m" : "/m^2");
 }

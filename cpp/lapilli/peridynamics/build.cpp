@@ -53,7 +53,9 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
     check_horizon("thermal", heat_settings->widest_horizon(), scene.spacing);
     PeridynamicHeatSettings::describe(*scene.heat, ranges);
     check(fluid.thermal);
-    require(fluid.thermal.conductivity.is_scalar(),
+    require(!fluid.thermal.varies(),
+            "the thermal material must not depend on the temperature or melt in [peridynamics]");
+    require(fluid.thermal.conductivity.constant().is_scalar(),
             "peridynamic heat conducts alike in all directions: give conductivity as a number");
     require(!scene.heat->viscous_dissipation || scene.flow,
             "heat.viscous_dissipation needs a flow; this scene has none");

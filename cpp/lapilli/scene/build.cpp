@@ -106,7 +106,7 @@ std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const Body& body = scene.bodies[k];
     problem.bodies.push_back({material_of<Thermal>(body), half_width_of(scene, filled[k]),
-                              body.temperature, body.source, placed_shape(body)});
+                              body.temperature, body.source, placed_shape(body), body.name});
   }
   return at_place(scene, "heat", [&] { return make_heat<Dim>(points, std::move(problem)); });
 }

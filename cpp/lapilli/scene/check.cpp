@@ -102,10 +102,20 @@ void describe_heat(const Scene& scene, CheckReport& report) {
   if (scene.heat->boundaries.empty()) {
     report.notes.push_back("[heat] has no boundaries: all surfaces are insulated");
   }
-  for (const char* absent :
-       {"temperature-dependent properties", "phase change", "radiation between surfaces"}) {
-    report.not_modelled.push_back(absent);
+  bool varies = false, melts = false;
+  for (const Body& body : scene.bodies) {
+    if (const auto* material = material_in<Thermal>(body)) {
+      varies = varies || material->specific_heat.varies() || material->conductivity.varies();
+      melts = melts || material->melts();
+    }
   }
+  const auto list = [&](bool modelled, const char* what) {
+    (modelled ? report.modelled : report.not_modelled).push_back(what);
+  };
+  list(varies, "temperature-dependent properties");
+  list(melts, "melting");
+  list(!scene.heat->contacts.empty(), "thermal contact resistance");
+  list(false, "radiation between surfaces");
 }
 
 void describe_quasi_static(const Scene& scene, CheckReport& report) {

@@ -72,6 +72,8 @@ class KeyTables {
       return "number or `{times, values}`";
     } else if constexpr (std::is_same_v<T, SymmetricTensor>) {
       return "number or 6 numbers";
+    } else if constexpr (is_over_temperature<T>) {
+      return type_of(typename T::constant_type{}, key) + " or `{temperatures, values}`";
     } else if constexpr (is_optional<T>) {
       const std::string word =
           *key.absent_word ? message(" or `\"", key.absent_word, "\"`") : std::string();

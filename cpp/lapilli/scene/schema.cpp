@@ -68,9 +68,11 @@ class SchemaWriter {
     } else if constexpr (std::is_same_v<T, std::string>) {
       return of_type("string");
     } else if constexpr (std::is_same_v<T, Value>) {
-      return any_of({ranged("number", key), table_in_time(key)});
+      return any_of({ranged("number", key), table_over("times", key)});
     } else if constexpr (std::is_same_v<T, SymmetricTensor>) {
       return any_of({ranged("number", key), list_of(ranged("number", key), 6, 6)});
+    } else if constexpr (is_over_temperature<T>) {
+      return any_of({schema_of<typename T::constant_type>(key), table_over("temperatures", key)});
     } else if constexpr (Named<T>) {
       Tree::Array names;
       for (const auto& [value, name] : Names<T>::values) {
@@ -160,12 +162,12 @@ class SchemaWriter {
     return object(std::move(table));
   }
 
-  static Tree table_in_time(const Key& key) {
-    const Tree times = list_of(of_type("number"), 1, std::numeric_limits<int>::max());
+  static Tree table_over(const char* name, const Key& key) {
+    const Tree places = list_of(of_type("number"), 1, std::numeric_limits<int>::max());
     const Tree values = list_of(ranged("number", key), 1, std::numeric_limits<int>::max());
     return object({entry("type", text("object")),
-                   entry("properties", object({entry("times", times), entry("values", values)})),
-                   entry("required", array({text("times"), text("values")})),
+                   entry("properties", object({entry(name, places), entry("values", values)})),
+                   entry("required", array({text(name), text("values")})),
                    entry("additionalProperties", {false, {}})});
   }
 

@@ -134,6 +134,43 @@ Table TreeReader::table_of_file(const Tree::Table& table, const Tree::Entry& fil
   return {std::move(columns.first), std::move(columns.second)};
 }
 
+void TreeReader::read_columns(const Tree& tree, const Key& by, const Key& key,
+                              const std::string& path, std::vector<double>& places,
+                              std::vector<double>& values) const {
+  for (const auto& [name, numbers, each] :
+       {std::tuple(by.name, &places, by), std::tuple("values", &values, key)}) {
+    const std::string list_path = joined_path(path, name);
+    const Tree::Entry* entry = find(*tree.table(), name);
+    if (!entry) {
+      fail(tree, list_path, "is missing");
+    }
+    const Tree::Array* list = entry->value.array();
+    if (!list || list->empty()) {
+      fail(entry->value, list_path,
+           message("must be a list of numbers, got ", in_words(entry->value)));
+    }
+    for (std::size_t k = 0; k < list->size(); ++k) {
+      read_number((*list)[k], each, element_path(list_path, k), numbers->emplace_back());
+    }
+  }
+  if (places.size() != values.size()) {
+    fail(tree, path,
+         message("needs as many values as ", by.name, ", got ", values.size(), " and ",
+                 places.size()));
+  }
+}
+
+TemperatureTable TreeReader::read_temperature_table(const Tree& tree, const Key& key,
+                                                    const std::string& path) {
+  check_known(*tree.table(), path, {"temperatures", "values"});
+  TemperatureTable read;
+  read_columns(tree, Key("temperatures").unit("K"), key, path, read.temperatures, read.values);
+  if (const std::string mistake = mistake_in(read); !mistake.empty()) {
+    fail(tree, path, mistake);
+  }
+  return read;
+}
+
 void TreeReader::read_value(const Tree& tree, const Key& key, const std::string& path,
                             Value& value) {
   double number = 0.0;
@@ -155,29 +192,7 @@ void TreeReader::read_value(const Tree& tree, const Key& key, const std::string&
     return;
   }
   Table in_time;
-  for (const auto& [name, numbers, each] :
-       {std::tuple("times", &in_time.times, Key("times").unit("s")),
-        std::tuple("values", &in_time.values, key)}) {
-    const std::string list_path = joined_path(path, name);
-    const Tree::Entry* entry = find(*table, name);
-    if (!entry) {
-      fail(tree, list_path, "is missing");
-    }
-    const Tree::Array* list = entry->value.array();
-    if (!list || list->empty()) {
-      fail(entry->value, list_path,
-           message("must be a list of numbers, got ", in_words(entry->value)));
-    }
-    for (std::size_t k = 0; k < list->size(); ++k) {
-      read_number((*list)[k], each, element_path(list_path, k), number);
-      numbers->push_back(number);
-    }
-  }
-  if (in_time.times.size() != in_time.values.size()) {
-    fail(tree, path,
-         message("needs as many values as times, got ", in_time.values.size(), " and ",
-                 in_time.times.size()));
-  }
+  read_columns(tree, Key("times").unit("s"), key, path, in_time.times, in_time.values);
   if (!in_time.is_ordered()) {
     fail(tree, joined_path(path, "times"), "must increase; two equal times, not three, are a jump");
   }

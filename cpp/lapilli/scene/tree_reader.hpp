@@ -8,7 +8,7 @@
 #include "lapilli/core/describe.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/value.hpp"
-#include "lapilli/materials/symmetric_tensor.hpp"
+#include "lapilli/materials/over_temperature.hpp"
 #include "lapilli/scene/member_types.hpp"
 #include "lapilli/scene/mistakes.hpp"
 #include "lapilli/scene/tree.hpp"
@@ -72,7 +72,13 @@ class TreeReader {
                  std::string& text) const;
   Table table_of_file(const Tree::Table& table, const Tree::Entry& file, const Key& key,
                       const std::string& path);
+  /// The lists of numbers `by` and "values" of a table, as many of each.
+  void read_columns(const Tree& tree, const Key& by, const Key& key,
+                    const std::string& path, std::vector<double>& places,
+                    std::vector<double>& values) const;
   void read_value(const Tree& tree, const Key& key, const std::string& path, Value& value);
+  TemperatureTable read_temperature_table(const Tree& tree, const Key& key,
+                                          const std::string& path);
   void read_tensor(const Tree& tree, const Key& key, const std::string& path,
                    SymmetricTensor& tensor) const;
   const Tree::Table& table_of(const Tree& tree, const std::string& path) const;
@@ -116,6 +122,14 @@ void TreeReader::read(const Tree& tree, const Key& key, const std::string& path,
     read_value(tree, key, path, member);
   } else if constexpr (std::is_same_v<T, SymmetricTensor>) {
     read_tensor(tree, key, path, member);
+  } else if constexpr (is_over_temperature<T>) {
+    if (tree.table()) {
+      member = read_temperature_table(tree, key, path);
+      return;
+    }
+    typename T::constant_type constant{};
+    read(tree, key, path, constant);
+    member = constant;
   } else if constexpr (Named<T>) {
     read_name(tree, path, member);
   } else if constexpr (is_optional<T>) {

@@ -36,6 +36,13 @@ Tree TreeWriter::write_tensor(const SymmetricTensor& tensor, const Key& key,
   return {std::move(components), {}};
 }
 
+Tree TreeWriter::write_table(const TemperatureTable& table, const std::string& path) const {
+  const auto list = [&](const char* name, const std::vector<double>& numbers) {
+    return Tree::Entry{name, {}, write(numbers, Key(name), joined_path(path, name))};
+  };
+  return {Tree::Table{list("temperatures", table.temperatures), list("values", table.values)}, {}};
+}
+
 Tree TreeWriter::no_file_form(const std::string& path, const char* what) const {
   require(in_memory_ == InMemory::named, path, " is given as ", what,
           ", which a scene file cannot hold");

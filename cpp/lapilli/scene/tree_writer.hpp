@@ -8,7 +8,7 @@
 #include "lapilli/core/describe.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/value.hpp"
-#include "lapilli/materials/symmetric_tensor.hpp"
+#include "lapilli/materials/over_temperature.hpp"
 #include "lapilli/scene/member_types.hpp"
 #include "lapilli/scene/tree.hpp"
 #include "lapilli/scene/tree_reader.hpp"
@@ -40,6 +40,7 @@ class TreeWriter {
   Tree write_number(double number, const Key& key, const std::string& path) const;
   Tree write_value(const Value& value, const Key& key, const std::string& path) const;
   Tree write_tensor(const SymmetricTensor& tensor, const Key& key, const std::string& path) const;
+  Tree write_table(const TemperatureTable& table, const std::string& path) const;
   Tree no_file_form(const std::string& path, const char* what) const;
 
   Members members_;
@@ -60,6 +61,9 @@ Tree TreeWriter::write(const T& member, const Key& key, const std::string& path)
     return write_value(member, key, path);
   } else if constexpr (std::is_same_v<T, SymmetricTensor>) {
     return write_tensor(member, key, path);
+  } else if constexpr (is_over_temperature<T>) {
+    return member.varies() ? write_table(*member.table(), path)
+                           : write(member.constant(), key, path);
   } else if constexpr (Named<T>) {
     return {std::string(name_of(member)), {}};
   } else if constexpr (is_optional<T>) {

@@ -55,6 +55,8 @@ ELSEWHERE: dict[str, str] = {
     "Probe.every_steps": "tests/python/test_history.py",
     "Grid.upper": "more room changes nothing: tests/cpp/mpm/test_heat_invariance.cpp",
     "Heat.boundaries": "the keys of each boundary condition",
+    "Heat.contacts": "the keys of HeatContact",
+    "HeatContact.bodies": "tests/python/properties/test_real_materials.py",
     "Heat.solver": "solvers agree: tests/cpp/mpm/test_theta.cpp",
     "MohrCoulomb.density": "one number with that of the thermal material; read as that of Elastic",
     "FunctionSolid.state": "tests/python/test_materials.py",

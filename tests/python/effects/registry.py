@@ -27,6 +27,7 @@ import lapilli as lp
 
 TEMPERATURE, VELOCITY = size("temperature"), size("velocity")
 STRESS, DISPLACEMENT = size("stress"), size("displacement")
+passed_on = number("heat/heat_from_hot_to_cold")
 D, F, P, W = scenes.disk, scenes.falling_block, scenes.pressed_block, scenes.warm_fluid
 
 EFFECTS: dict[str, Effect] = {
@@ -65,6 +66,18 @@ EFFECTS: dict[str, Effect] = {
     ),
     "Thermal.specific_heat": Effect(
         v.flux_disk, "bodies[0].material.specific_heat", 1, 2, mean("temperature"), "<"
+    ),
+    "Thermal.latent_heat": Effect(
+        v.melting_disk, "bodies[0].material.latent_heat", 0.5, 1.0, mean("temperature"), "<"
+    ),
+    "Thermal.solidus": Effect(
+        v.melting_disk, "bodies[0].material.solidus", 0.2, 0.3, mean("liquid_fraction"), "<"
+    ),
+    "Thermal.liquidus": Effect(
+        v.melting_disk, "bodies[0].material.liquidus", 0.5, 0.9, mean("liquid_fraction"), "<"
+    ),
+    "HeatContact.conductance": Effect(
+        v.hot_and_cold, "heat.contacts[0].conductance", 0.5, 5.0, passed_on, ">"
     ),
     "Thermal.conductivity": Effect(
         # exchange with the surroundings is in the fastest rate as well

@@ -42,6 +42,29 @@ def held_disk() -> lp.Scene:
     return scenes.disk(boundaries=[lp.PrescribedTemperature(value=1.0)])
 
 
+def melting_disk() -> lp.Scene:
+    """A disk that melts between two temperatures."""
+    scene = scenes.disk(boundaries=[lp.Flux(value=20.0)])
+    scene.bodies[0].material = lp.Thermal(
+        density=1, specific_heat=1, conductivity=1, latent_heat=0.5, solidus=0.2, liquidus=0.5
+    )
+    return scene
+
+
+def hot_and_cold() -> lp.Scene:
+    """Two blocks that touch with a thermal resistance."""
+    unit = lp.Thermal(density=1, specific_heat=1, conductivity=1)
+    hot = lp.Body(name="hot", shape=lp.Box(lower=(-1, -1), upper=(0, 1)), material=unit)
+    cold = lp.Body(name="cold", shape=lp.Box(lower=(0, -1), upper=(1, 1)), material=unit)
+    hot.temperature = 1.0
+    return lp.Scene(
+        grid=lp.Grid(lower=(-2, -2), upper=(2, 2), cell=0.25),
+        bodies=[hot, cold],
+        heat=lp.Heat(contacts=[lp.HeatContact(conductance=0.5)]),
+        time=lp.Time(end=0.05, step=0.005),
+    )
+
+
 def box_plate() -> lp.Scene:
     scene = scenes.disk(boundaries=[lp.Flux(value=1.0)])
     scene.bodies[0].shape = lp.Box(lower=(-1.1, -0.9), upper=(1.05, 1.15))

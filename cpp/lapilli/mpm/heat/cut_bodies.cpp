@@ -1,6 +1,7 @@
 #include "lapilli/mpm/heat/cut_bodies.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "lapilli/mpm/heat/boundary_conditions.hpp"
@@ -8,9 +9,23 @@
 
 namespace lapilli {
 
+PairEntries resisting_pairs(const std::vector<HeatBody>& bodies,
+                            const std::vector<HeatContact>& contacts) {
+  std::vector<std::string> names;
+  for (const HeatBody& body : bodies) {
+    names.push_back(body.name);
+  }
+  std::vector<std::vector<std::string>> pairs;
+  for (const HeatContact& contact : contacts) {
+    pairs.push_back(contact.bodies);
+  }
+  return PairEntries("heat.contacts", pairs, names_or_numbers(std::move(names)));
+}
+
 template <int Dim>
 CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> shapes,
-                      std::size_t body, SurfaceFound& found) {
+                      std::size_t body, const PairEntries& resisting, SurfaceFound& found) {
+  using Division = SurfaceDivision<Dim>;
   CutBody<Dim> made;
   made.cells = cut_shape<Dim>(shapes[body], problem.grid, CubeLayout(problem.shape));
   std::vector<const Shape*> regions;
@@ -18,18 +33,23 @@ CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> sh
     regions.push_back(region_of(law));
   }
   made.pieces.resize(regions.size());
-  SurfaceDivision<Dim> division(problem.grid, shapes, body, regions, problem.walls);
+  Division division(problem.grid, shapes, body, regions, problem.walls);
   for (const CellCut<Dim>& cell : made.cells) {
     for (const SurfacePiece<Dim>& piece : cell.pieces) {
       division.divide(piece, [&](int law, const SurfacePiece<Dim>& part) {
         if (law >= 0) {
           made.pieces[static_cast<std::size_t>(law)].push_back(part);
+        } else if (law < Division::on_wall_label &&
+                   resisting.of(body, Division::body_of(law)) >= 0) {
+          made.resisting[Division::body_of(law)].push_back(part);
         }
-        found.area += law != SurfaceDivision<Dim>::covered ? part.area() : 0.0;
+        found.area += law >= Division::nobody ? part.area() : 0.0;
       });
     }
   }
-  made.touching = division.touching();
+  std::copy_if(division.touching().begin(), division.touching().end(),
+               std::back_inserter(made.touching),
+               [&](std::size_t other) { return resisting.of(body, other) < 0; });
   return made;
 }
 
@@ -53,10 +73,10 @@ std::vector<std::vector<std::size_t>> groups_of(
 }
 
 template CutBody<1> cut_body(const HeatProblem<1>&, std::span<const Shape>, std::size_t,
-                             SurfaceFound&);
+                             const PairEntries&, SurfaceFound&);
 template CutBody<2> cut_body(const HeatProblem<2>&, std::span<const Shape>, std::size_t,
-                             SurfaceFound&);
+                             const PairEntries&, SurfaceFound&);
 template CutBody<3> cut_body(const HeatProblem<3>&, std::span<const Shape>, std::size_t,
-                             SurfaceFound&);
+                             const PairEntries&, SurfaceFound&);
 
 }  // namespace lapilli

@@ -1,25 +1,32 @@
 #pragma once
 
+#include <map>
 #include <span>
 #include <vector>
 
+#include "lapilli/core/pair_entries.hpp"
 #include "lapilli/mpm/heat/heat_part.hpp"
 #include "lapilli/mpm/surface/cut_shape.hpp"
 
 namespace lapilli {
+
+/// The bodies that touch with a thermal resistance.
+PairEntries resisting_pairs(const std::vector<HeatBody>& bodies,
+                            const std::vector<HeatContact>& contacts);
 
 /// A body cut by the grid, and its surface divided among the laws.
 template <int Dim>
 struct CutBody {
   std::vector<CellCut<Dim>> cells;
   std::vector<std::vector<SurfacePiece<Dim>>> pieces;  // by law
-  std::vector<std::size_t> touching;
+  std::vector<std::size_t> touching;                               // without resistance
+  std::map<std::size_t, std::vector<SurfacePiece<Dim>>> resisting;  // by other body
 };
 
 /// Cut body number `body` of the checked `shapes`; its free surface is entered in `found`.
 template <int Dim>
 CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> shapes,
-                      std::size_t body, SurfaceFound& found);
+                      std::size_t body, const PairEntries& resisting, SurfaceFound& found);
 
 /// The bodies that touch, directly or through others, as one group each; `touching` by body.
 std::vector<std::vector<std::size_t>> groups_of(

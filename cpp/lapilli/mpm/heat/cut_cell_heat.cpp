@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/part_sources.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
 #include "lapilli/mpm/transfer/cell_order.hpp"
 
@@ -21,7 +22,9 @@ bool CutCellHeat<Dim>::suits(const HeatProblem<Dim>& problem) {
   // On a line the points know the surface as well, and without a law that depends on its
   // temperature their capacities err less (rod under a flux, h = 0.1 m: 3.1e-5 against 1.1e-4 K).
   const bool better_by_points =
-      Dim == 1 &&
+      Dim == 1 && settings.contacts.empty() &&
+      std::none_of(problem.bodies.begin(), problem.bodies.end(),
+                   [](const HeatBody& body) { return body.material.varies(); }) &&
       std::all_of(settings.boundaries.begin(), settings.boundaries.end(),
                   [](const HeatBoundary& law) { return std::holds_alternative<Flux>(law); });
   return !problem.moving && untouched && !better_by_points &&
@@ -220,32 +223,13 @@ void CutCellHeat<Dim>::conduct(Solved& one, const Step& step) {
 }
 
 template <int Dim>
-double CutCellHeat<Dim>::source_heat(const Solved& one, std::span<const double> temperature,
-                                     double begin, double size, std::span<double> heat) const {
-  double sum = 0.0;
-  for (const auto& own : one.part.sources) {
-    std::vector<double> state, rate(own.place.size());
-    for (const Index place : own.place) {
-      state.push_back(temperature[place]);
-    }
-    problem_.bodies[own.body].source.evaluate_mean(own.position, state, begin, begin + size, rate);
-    for (std::size_t k = 0; k < rate.size(); ++k) {
-      heat[own.place[k]] += size * rate[k] * own.volume[k];
-      sum += size * rate[k] * own.volume[k];
-    }
-  }
-  one.part.followers.restrict_to_leaders(heat);
-  return sum;
-}
-
-template <int Dim>
 void CutCellHeat<Dim>::release_sources(Solved& one, const Step& step) {
   if (one.part.sources.empty()) {
     return;
   }
   const std::size_t size = one.increment.size();
   std::vector<double> heat(size, 0.0), slope(size, 0.0);
-  source_heat(one, one.part.temperature, step.time, step.size, heat);
+  source_heat(one.part, problem_.bodies, one.part.temperature, step.time, step.size, heat);
   const bool depends =
       std::any_of(one.part.sources.begin(), one.part.sources.end(),
                   [&](const auto& own) { return problem_.bodies[own.body].source.is_function(); });
@@ -260,7 +244,7 @@ void CutCellHeat<Dim>::release_sources(Solved& one, const Step& step) {
     for (double& value : warmer) {
       value += rise;
     }
-    source_heat(one, warmer, step.time, step.size, slope);
+    source_heat(one.part, problem_.bodies, warmer, step.time, step.size, slope);
     for (std::size_t place = 0; place < size; ++place) {
       slope[place] = std::max(0.0, (heat[place] - slope[place]) / rise);
     }

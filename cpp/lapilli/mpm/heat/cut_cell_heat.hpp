@@ -115,9 +115,6 @@ class CutCellHeat final : public Physics, public HasSurface {
   void load_stepping(const Archive& archive);
   void widen_span();
 
-  /// Source heat by place over a step (J), added to `heat`; returns the sum.
-  double source_heat(const Solved& one, std::span<const double> temperature, double begin,
-                     double size, std::span<double> heat) const;
   /// Enter the heat that laws gave when the surface rose by `rise`; it adds up to `given`.
   void book_laws(const Solved& one, double size, const SurfaceTerm::Vector& rise, double given);
 

@@ -4,6 +4,7 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
+#include "lapilli/mpm/heat/part_sources.hpp"
 
 namespace lapilli {
 namespace {
@@ -57,7 +58,7 @@ Vector CutCellHeat<Dim>::rates(Solved& one, const Vector& at, double from, doubl
     scatter(all, at, nodal);
     one.part.followers.prolong(nodal);
     const double span = to - from;  // sources are given as heat over a span
-    of_sources += factor / span * source_heat(one, nodal, from, span, heat);
+    of_sources += factor / span * source_heat(one.part, problem_.bodies, nodal, from, span, heat);
     sum += factor / span * gather(all, heat);
   }
   return sum;

@@ -3,6 +3,7 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
+#include "lapilli/mpm/heat/part_sources.hpp"
 
 namespace lapilli {
 
@@ -93,7 +94,7 @@ void CutCellHeat<Dim>::take_implicit_step(Solved& one, double begin, double size
     scatter(all, at, nodal);
     one.part.followers.prolong(nodal);
     std::vector<double> heat(nodal.size(), 0.0);
-    sum = factor * source_heat(one, nodal, begin, size, heat);
+    sum = factor * source_heat(one.part, problem_.bodies, nodal, begin, size, heat);
     return Vector(factor * gather(all, heat));
   };
   const Vector none = Vector::Zero(start.size());

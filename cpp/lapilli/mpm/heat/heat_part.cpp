@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <span>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/boundary_conditions.hpp"
@@ -23,13 +24,14 @@ class Assembly {
 
  public:
   Assembly(const Points& points, const HeatProblem<Dim>& problem,
-           const std::vector<CutBody<Dim>>& cut, std::vector<std::size_t> bodies,
-           const Function& function)
+           const std::vector<CutBody<Dim>>& cut, std::span<const ResistingContact> contacts,
+           std::vector<std::size_t> bodies, const Function& function)
       : points_(points),
         problem_(problem),
         grid_(problem.grid),
         layout_(problem.shape),
         cut_(cut),
+        pieces_(pieces_of_part<Dim>(cut, contacts, bodies)),
         function_(function),
         active_(static_cast<std::size_t>(grid_.node_count()), 0) {
     part_.bodies = std::move(bodies);
@@ -67,7 +69,7 @@ class Assembly {
       part_.followers = Followers<Dim>(grid_, *part_.rows, all, active_, false);
       store_heat<Dim>(problem_, volume_, part_);
     }
-    connect_surface<Dim>(problem_, cut_, part_);
+    connect_surface<Dim>(problem_, pieces_, part_);
     found[part_.bodies.front()].followers = static_cast<Index>(part_.followers.count());
     found[part_.bodies.front()].nodes = std::count(active_.begin(), active_.end(), 1);
     return std::move(part_);
@@ -75,7 +77,7 @@ class Assembly {
 
  private:
   Cell cell_of(std::size_t body) const {
-    const Mat<Dim> k = problem_.bodies[body].material.conductivity.template block<Dim>();
+    const Mat<Dim> k = problem_.bodies[body].material.conductivity.largest().template block<Dim>();
     return Cell(grid_, layout_, function_, k);
   }
 
@@ -143,8 +145,8 @@ class Assembly {
       }
     }
     const auto activate = [&](Index node, double) { active_[node] = 1; };
-    for (const std::size_t body : part_.bodies) {
-      for (const auto& pieces : cut_[body].pieces) {
+    for (const auto& of_one : pieces_) {
+      for (const auto& [body, pieces] : of_one) {
         for (const SurfacePiece<Dim>& piece : pieces) {
           for (const auto& site : piece.quadrature()) {
             for_each_node(site.position, activate);
@@ -165,29 +167,50 @@ class Assembly {
   }
 
   void connect_nodes() {
+    const SharedCells<Dim> shared(problem_, part_.bodies, volume_of_cut_);
+    std::vector<std::size_t> all(part_.bodies.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    part_.conduction = conduction_of(all, kind_of_node_, shared);
+    const bool varies = std::any_of(all.begin(), all.end(), [&](std::size_t k) {
+      return problem_.bodies[part_.bodies[k]].material.varies();
+    });
+    for (std::size_t k = 0; varies && all.size() > 1 && k < all.size(); ++k) {
+      std::vector<int> kind(kind_of_node_);
+      for (int& one : kind) {
+        one = one < 0 || one == static_cast<int>(k) ? one : SharedStencil<Dim>::nobody;
+      }
+      part_.own_conduction.push_back(conduction_of({&k, 1}, kind, shared));
+    }
+  }
+
+  /// The conduction in some bodies of the part, given by their number in it; `kind` by node.
+  std::unique_ptr<SharedStencil<Dim>> conduction_of(std::span<const std::size_t> some,
+                                                    std::span<const int> kind_of_node,
+                                                    const SharedCells<Dim>& shared) {
     std::vector<int> kind(static_cast<std::size_t>(part_.rows->size()), SharedStencil<Dim>::nobody);
     for (const auto& row : part_.rows->rows()) {
       const Index first = row.grid_row * grid_.nodes(0);
       for (int i = row.begin; i < row.end; ++i) {
         if (active_[first + i] != 0) {
-          kind[row.shift + i] = kind_of_node_[first + i];
+          kind[row.shift + i] = kind_of_node[first + i];
         }
       }
     }
-    part_.conduction = std::make_unique<SharedStencil<Dim>>(*part_.rows, std::move(kind),
-                                                            static_cast<int>(part_.bodies.size()));
-    const SharedCells<Dim> shared(problem_, part_.bodies, volume_of_cut_);
-    for (std::size_t k = 0; k < part_.bodies.size(); ++k) {
+    auto made = std::make_unique<SharedStencil<Dim>>(*part_.rows, std::move(kind),
+                                                     static_cast<int>(part_.bodies.size()));
+    for (const std::size_t k : some) {
       Cell cell = cell_of(part_.bodies[k]);
-      share_row(static_cast<int>(k), cell.whole_conduction());
+      share_row(*made, static_cast<int>(k), cell.whole_conduction());
       for (const CellCut<Dim>& cut : cut_[part_.bodies[k]].cells) {
-        add_conduction(cell, cut, k, shared);
+        add_conduction(*made, cell, cut, k, shared);
       }
     }
-    part_.conduction->agree();
+    made->agree();
+    return made;
   }
 
-  void share_row(int which, const typename Cell::Conduction& whole) {
+  void share_row(SharedStencil<Dim>& conduction, int which,
+                 const typename Cell::Conduction& whole) {
     std::vector<double> sum(step_.size(), 0.0);
     for (int a = 0; a < Cell::nodes; ++a) {
       for (int b = a + 1; b < Cell::nodes; ++b) {
@@ -196,13 +219,13 @@ class Assembly {
     }
     for (std::size_t k = 0; k < sum.size(); ++k) {
       if (sum[k] != 0.0) {
-        part_.conduction->share(which, step_[k], sum[k]);
+        conduction.share(which, step_[k], sum[k]);
       }
     }
   }
 
-  void add_conduction(Cell& cell, const CellCut<Dim>& cut, std::size_t which,
-                      const SharedCells<Dim>& shared) {
+  void add_conduction(SharedStencil<Dim>& conduction, Cell& cell, const CellCut<Dim>& cut,
+                      std::size_t which, const SharedCells<Dim>& shared) {
     const Index first = grid_.node_index(cell.first_node(cut.node));
     std::array<Index, Cell::nodes> place;
     bool all_share = cell.is_whole(cut);
@@ -226,7 +249,7 @@ class Assembly {
     for (int a = 0; a < Cell::nodes; ++a) {
       for (int b = a + 1; b < Cell::nodes && place[a] >= 0; ++b) {
         if (place[b] >= 0 && cell.conduction(a, b) != 0.0) {
-          part_.conduction->add(place[a], place[b], step_[pair(a, b)], cell.conduction(a, b));
+          conduction.add(place[a], place[b], step_[pair(a, b)], cell.conduction(a, b));
         }
       }
     }
@@ -255,6 +278,7 @@ class Assembly {
   const Grid<Dim>& grid_;
   CubeLayout layout_;
   const std::vector<CutBody<Dim>>& cut_;
+  std::vector<PiecesOfBodies<Dim>> pieces_;
   Function function_;
   HeatPart<Dim> part_;
   std::vector<unsigned char> active_;
@@ -265,11 +289,43 @@ class Assembly {
   std::vector<typename SharedStencil<Dim>::Step> step_;  // all within a cell
 };
 
+/// The contacts with a resistance, each between bodies of two groups.
+template <int Dim>
+std::vector<ResistingContact> contacts_of(const HeatProblem<Dim>& problem,
+                                          const PairEntries& resisting,
+                                          const std::vector<CutBody<Dim>>& cut,
+                                          const std::vector<std::vector<std::size_t>>& groups) {
+  std::vector<ResistingContact> found;
+  for (std::size_t a = 0; a < cut.size(); ++a) {
+    for (std::size_t b = a + 1; b < cut.size(); ++b) {
+      if (cut[a].resisting.contains(b)) {
+        found.push_back({a, b, static_cast<std::size_t>(resisting.of(a, b))});
+        require(std::none_of(groups.begin(), groups.end(),
+                             [&](const auto& group) {
+                               return std::count(group.begin(), group.end(), a) > 0 &&
+                                      std::count(group.begin(), group.end(), b) > 0;
+                             }),
+                "heat.contacts.", found.back().entry, ": bodies ", a, " and ", b,
+                " are also joined through others without resistance; give these pairs an entry");
+      }
+    }
+  }
+  for (std::size_t entry = 0; entry < problem.settings.contacts.size(); ++entry) {
+    const auto& bodies = problem.settings.contacts[entry].bodies;
+    require(std::any_of(found.begin(), found.end(),
+                        [&](const ResistingContact& one) { return one.entry == entry; }),
+            "heat.contacts.", entry, ": ",
+            bodies.empty() ? "no bodies touch" : bodies[0] + " and " + bodies[1] + " do not touch");
+  }
+  return found;
+}
+
 }  // namespace
 
 template <int Dim>
 std::vector<HeatPart<Dim>> make_parts(const Points& points, const HeatProblem<Dim>& problem,
-                                      std::vector<SurfaceFound>& found) {
+                                      std::vector<SurfaceFound>& found,
+                                      std::vector<ResistingContact>* contacts) {
   std::vector<Shape> shapes;
   for (const HeatBody& body : problem.bodies) {
     check(body.material);
@@ -283,10 +339,11 @@ std::vector<HeatPart<Dim>> make_parts(const Points& points, const HeatProblem<Di
     }
   }
   found.assign(shapes.size(), {});
+  const PairEntries resisting = resisting_pairs(problem.bodies, problem.settings.contacts);
   std::vector<CutBody<Dim>> cut;
   std::vector<std::vector<std::size_t>> touching;
   for (std::size_t body = 0; body < shapes.size(); ++body) {
-    cut.push_back(cut_body<Dim>(problem, shapes, body, found[body]));
+    cut.push_back(cut_body<Dim>(problem, shapes, body, resisting, found[body]));
     touching.push_back(cut.back().touching);
   }
   for (std::size_t law = 0; law < laws.size(); ++law) {
@@ -297,20 +354,26 @@ std::vector<HeatPart<Dim>> make_parts(const Points& points, const HeatProblem<Di
                 ? "its region covers none that an earlier condition left"
                 : "earlier conditions took all of it");
   }
+  const std::vector<std::vector<std::size_t>> groups = groups_of(touching);
+  std::vector<ResistingContact> touch = contacts_of<Dim>(problem, resisting, cut, groups);
   std::vector<HeatPart<Dim>> parts;
   with_shape(problem.shape, resting_half_width, [&](auto function) {
-    for (auto& bodies : groups_of(touching)) {
+    for (const auto& bodies : groups) {
       parts.push_back(
-          Assembly<Dim, decltype(function)>(points, problem, cut, std::move(bodies), function)
+          Assembly<Dim, decltype(function)>(points, problem, cut, touch, bodies, function)
               .make(found));
     }
   });
+  if (contacts != nullptr) {
+    *contacts = std::move(touch);
+  }
   return parts;
 }
 
 #define LAPILLI_INSTANTIATE(Dim)                                                         \
   template std::vector<HeatPart<Dim>> make_parts(const Points&, const HeatProblem<Dim>&, \
-                                                 std::vector<SurfaceFound>&);
+                                                 std::vector<SurfaceFound>&,             \
+                                                 std::vector<ResistingContact>*);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)

@@ -36,9 +36,15 @@ struct HeatPart {
   std::vector<double> capacity;     // C' by place, J/K; zero for nodes that follow
   std::vector<double> temperature;  // by place, K; followers are kept up to date
   std::vector<BodyVolume> sources;
-  std::vector<SurfaceTerm::Part> surface;  // by law, with columns by unknown
+  std::vector<SurfaceTerm::Part> surface;  // by law, then by resisting contact; columns by unknown
   std::vector<Index> unknown_place;        // nodes near the surface that lead
   NodalSurface nodal;
+
+  // Where properties of a body of the part depend on the temperature or bodies resist each other;
+  // empty otherwise. Conduction and capacity above are those of the largest conductivities and the
+  // least specific heats.
+  std::vector<std::vector<double>> volume;  // by body of the part and place, m^dim, followers' too
+  std::vector<std::unique_ptr<SharedStencil<Dim>>> own_conduction;  // by body, of several
 };
 
 /// What the assembly found, for the record.
@@ -48,10 +54,18 @@ struct SurfaceFound {
   Index followers = 0, nodes = 0;
 };
 
+/// Two bodies that touch with a resistance.
+struct ResistingContact {
+  std::size_t first, second;  // bodies
+  std::size_t entry;          // of the settings
+};
+
 /// Make the parts of a problem whose bodies all have shapes. Throws std::invalid_argument when a
-/// law selects no surface or an initial temperature is not finite.
+/// law selects no surface, a contact none between its bodies, or an initial temperature is not
+/// finite. `contacts` may be null where the problem has none.
 template <int Dim>
 std::vector<HeatPart<Dim>> make_parts(const Points& points, const HeatProblem<Dim>& problem,
-                                      std::vector<SurfaceFound>& found);
+                                      std::vector<SurfaceFound>& found,
+                                      std::vector<ResistingContact>* contacts = nullptr);
 
 }  // namespace lapilli

@@ -24,6 +24,7 @@ struct HeatBody {
   Value temperature;         // K, initial; a function of place may be given
   Value source;              // W/m^3
   std::optional<Shape> shape{};  // where it stands; absent where only points are known
+  std::string name{};            // for contacts and messages; may be empty
 };
 
 /// Everything a heat solver is made from.

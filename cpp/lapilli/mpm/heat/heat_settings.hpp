@@ -9,6 +9,7 @@
 #include "lapilli/core/describe.hpp"
 #include "lapilli/core/value.hpp"
 #include "lapilli/geometry/shape.hpp"
+#include "lapilli/mpm/heat/heat_contact.hpp"
 
 namespace lapilli {
 
@@ -177,6 +178,7 @@ struct HeatSettings {
   bool implicit_robin = true;           // convection and radiation at the end of the step
   bool corner_fit = true;               // fitted vector at sharp corners
   std::vector<HeatBoundary> boundaries;
+  std::vector<HeatContact> contacts;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -212,6 +214,8 @@ struct HeatSettings {
         Key("boundaries")
             .text("fluxes and prescribed temperatures; the first region that covers a place wins"),
         self.boundaries);
+    visit(Key("contacts").text("where bodies that touch resist the heat between them"),
+          self.contacts);
   }
 };
 

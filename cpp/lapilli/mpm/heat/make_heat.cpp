@@ -1,5 +1,6 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
+#include "lapilli/mpm/heat/enthalpy_heat.hpp"
 #include "lapilli/mpm/heat/heat_in_body_frame.hpp"
 #include "lapilli/mpm/heat/nodal_heat.hpp"
 #include "lapilli/mpm/heat/particle_heat.hpp"
@@ -29,6 +30,16 @@ std::unique_ptr<Physics> make_heat(Points& points, HeatProblem<Dim> problem) {
           "heat.transfer = \"nodal\" needs points at rest or one rigid motion of all bodies, but "
           "this scene moves them");
   const bool cut_cells = CutCellHeat<Dim>::suits(problem);
+  if (EnthalpyHeat<Dim>::is_needed(problem)) {
+    require(cut_cells,
+            "properties that depend on the temperature, latent heat and heat.contacts need bodies "
+            "with shapes, at rest or in one rigid motion, and the defaults of heat.method, "
+            "heat.transfer, heat.normal_smoothing, heat.corner_fit and heat.implicit_robin");
+    require(problem.settings.time_integration != TimeIntegration::implicit_theta,
+            "properties that depend on the temperature, latent heat and heat.contacts are stepped "
+            "explicitly: leave heat.time_integration out");
+    return std::make_unique<EnthalpyHeat<Dim>>(points, std::move(problem));
+  }
   TimeIntegration& stepping = problem.settings.time_integration;
   if (stepping == TimeIntegration::automatic && (!cut_cells || problem.fixed_steps)) {
     stepping = TimeIntegration::explicit_euler;

@@ -1,5 +1,7 @@
 #include "lapilli/mpm/heat/part_surface.hpp"
 
+#include <algorithm>
+
 #include "lapilli/mpm/heat/start_in_shape.hpp"
 #include "lapilli/mpm/surface/cut_shape.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
@@ -28,18 +30,18 @@ class Numbers {
 };
 
 template <int Dim, class Function>
-void trace_pieces(const HeatProblem<Dim>& problem, const std::vector<CutBody<Dim>>& cut,
+void trace_pieces(const HeatProblem<Dim>& problem, const std::vector<PiecesOfBodies<Dim>>& pieces,
                   const Function& function, HeatPart<Dim>& part) {
   const Grid<Dim>& grid = problem.grid;
-  const std::size_t laws = problem.settings.boundaries.size();
+  const std::size_t laws = pieces.size();
   Numbers numbers(grid.node_count());
   std::vector<Triplets> entries(laws);
   part.surface.resize(laws);
   for (std::size_t law = 0; law < laws; ++law) {
     SurfaceSites& sites = part.surface[law].sites;
-    for (const std::size_t body : part.bodies) {
-      const Mat<Dim> k = problem.bodies[body].material.conductivity.template block<Dim>();
-      for (const SurfacePiece<Dim>& piece : cut[body].pieces[law]) {
+    for (const auto& [body, some] : pieces[law]) {
+      const Mat<Dim> k = problem.bodies[body].material.conductivity.largest().template block<Dim>();
+      for (const SurfacePiece<Dim>& piece : some) {
         Vec3 normal = Vec3::Zero();
         normal.template head<Dim>() = piece.normal;
         const double hold = hold_factor * piece.normal.dot(k * piece.normal) / grid.cell_size();
@@ -72,10 +74,32 @@ void trace_pieces(const HeatProblem<Dim>& problem, const std::vector<CutBody<Dim
 }  // namespace
 
 template <int Dim>
-void connect_surface(const HeatProblem<Dim>& problem, const std::vector<CutBody<Dim>>& cut,
-                     HeatPart<Dim>& part) {
+std::vector<PiecesOfBodies<Dim>> pieces_of_part(const std::vector<CutBody<Dim>>& cut,
+                                                std::span<const ResistingContact> contacts,
+                                                const std::vector<std::size_t>& bodies) {
+  std::vector<PiecesOfBodies<Dim>> all(cut.front().pieces.size());
+  for (std::size_t law = 0; law < all.size(); ++law) {
+    for (const std::size_t body : bodies) {
+      all[law].emplace_back(body, cut[body].pieces[law]);
+    }
+  }
+  for (const ResistingContact& contact : contacts) {
+    PiecesOfBodies<Dim>& pieces = all.emplace_back();
+    for (const std::size_t body : {contact.first, contact.second}) {
+      if (std::find(bodies.begin(), bodies.end(), body) != bodies.end()) {
+        pieces.emplace_back(contact.first, cut[contact.first].resisting.at(contact.second));
+        break;
+      }
+    }
+  }
+  return all;
+}
+
+template <int Dim>
+void connect_surface(const HeatProblem<Dim>& problem,
+                     const std::vector<PiecesOfBodies<Dim>>& pieces, HeatPart<Dim>& part) {
   with_shape(problem.shape, resting_half_width,
-             [&](auto function) { trace_pieces<Dim>(problem, cut, function, part); });
+             [&](auto function) { trace_pieces<Dim>(problem, pieces, function, part); });
   Numbers numbers(part.rows->size());
   Triplets entries;
   for (std::size_t k = 0; k < part.nodal.node.size(); ++k) {
@@ -144,13 +168,30 @@ void store_heat(const HeatProblem<Dim>& problem, const std::vector<std::vector<d
       value = uniform ? first.at(0.0) : value / part.capacity[place];
     }
   }
+  part.volume.clear();
+  if (!problem.settings.contacts.empty() ||
+      std::any_of(part.bodies.begin(), part.bodies.end(),
+                  [&](std::size_t body) { return problem.bodies[body].material.varies(); })) {
+    for (std::size_t k = 0; k < part.bodies.size(); ++k) {
+      std::vector<double>& own = part.volume.emplace_back(size, 0.0);
+      for (Index node = 0; node < problem.grid.node_count(); ++node) {
+        if (volume[k][node] > 0.0) {
+          own[part.rows->place(node)] = volume[k][node];
+        }
+      }
+      part.followers.restrict_to_leaders(own);
+    }
+  }
   part.followers.restrict_to_leaders(part.capacity);
   part.followers.prolong(part.temperature);
 }
 
 #define LAPILLI_INSTANTIATE(Dim)                                                             \
-  template void connect_surface(const HeatProblem<Dim>&, const std::vector<CutBody<Dim>>&,   \
-                                HeatPart<Dim>&);                                             \
+  template std::vector<PiecesOfBodies<Dim>> pieces_of_part(                                  \
+      const std::vector<CutBody<Dim>>&, std::span<const ResistingContact>,                   \
+      const std::vector<std::size_t>&);                                                      \
+  template void connect_surface(const HeatProblem<Dim>&,                                     \
+                                const std::vector<PiecesOfBodies<Dim>>&, HeatPart<Dim>&);    \
   template void store_heat(const HeatProblem<Dim>&, const std::vector<std::vector<double>>&, \
                            HeatPart<Dim>&);
 LAPILLI_INSTANTIATE(1)

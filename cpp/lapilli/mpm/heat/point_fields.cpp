@@ -12,14 +12,14 @@ HeatCoefficients<Dim>::HeatCoefficients(const std::vector<HeatBody>& bodies, Sha
   for (const HeatBody& body : bodies) {
     check(body.material);
     capacity.push_back(body.material.capacity());
-    conductivity.push_back(body.material.conductivity.block<Dim>());
+    conductivity.push_back(body.material.conductivity.largest().block<Dim>());
     half_width.push_back(shape == ShapeFunction::bspline ? 0.5 : body.half_width);
     largest_diffusivity = std::max(largest_diffusivity,
                                    largest_conductivity(body.material) / body.material.capacity());
   }
   uniform = true;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    uniform = uniform && bodies[b].material.conductivity.is_scalar() &&
+    uniform = uniform && bodies[b].material.conductivity.largest().is_scalar() &&
               capacity[b] == capacity[0] && conductivity[b] == conductivity[0] &&
               half_width[b] == half_width[0];
   }

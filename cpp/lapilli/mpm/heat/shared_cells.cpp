@@ -37,7 +37,7 @@ SharedCells<Dim>::SharedCells(const HeatProblem<Dim>& problem,
 
 template <int Dim>
 Mat<Dim> SharedCells<Dim>::own(std::size_t which) const {
-  return problem_.bodies[bodies_[which]].material.conductivity.template block<Dim>();
+  return problem_.bodies[bodies_[which]].material.conductivity.largest().template block<Dim>();
 }
 
 // With the mean slope G the slope in body b is G + n (q - n . K_b G)/(n . K_b n), where q, the flux

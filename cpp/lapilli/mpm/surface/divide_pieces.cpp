@@ -62,7 +62,7 @@ int SurfaceDivision<Dim>::label_at(const Vec<Dim>& at, const Vec<Dim>& normal, b
   const Vec3 place = in_space<Dim>(at), outward = in_space<Dim>(normal);
   if (near) {
     if (on_wall(at, normal)) {
-      return covered;
+      return on_wall_label;
     }
     const Vec3 beyond = project(bodies_[own_], place) + gap * h * outward;
     for (std::size_t other = 0; other < bodies_.size(); ++other) {
@@ -70,7 +70,7 @@ int SurfaceDivision<Dim>::label_at(const Vec<Dim>& at, const Vec<Dim>& normal, b
         if (std::find(touching_.begin(), touching_.end(), other) == touching_.end()) {
           touching_.push_back(other);
         }
-        return covered;
+        return on_body(other);
       }
     }
   }

@@ -14,7 +14,10 @@ template <int Dim>
 class SurfaceDivision {
  public:
   static constexpr int nobody = -1;   // no law wants it
-  static constexpr int covered = -2;  // it rests on another body or on a wall
+  static constexpr int on_wall_label = -2;  // it rests on a wall
+  /// Labels below: it rests on another body.
+  static constexpr int on_body(std::size_t other) { return -3 - static_cast<int>(other); }
+  static constexpr std::size_t body_of(int label) { return static_cast<std::size_t>(-3 - label); }
 
   /// `bodies` are the shapes of all bodies, of which `own` has the surface; `regions` those of the
   /// laws, null for what is left. A region whose own boundary runs along the surface, at most a

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <optional>
 
-#include "lapilli/core/allowed.hpp"
+#include "lapilli/core/pair_entries.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/project_to_grid.hpp"
 
@@ -19,50 +19,11 @@ constexpr double same_velocity = 1e-6;
 
 std::vector<std::string> names_of(const std::vector<DynamicsBody>& bodies) {
   std::vector<std::string> names;
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    names.push_back(bodies[k].name.empty() ? message("body ", k) : bodies[k].name);
+  for (const DynamicsBody& body : bodies) {
+    names.push_back(body.name);
   }
-  return names;
+  return names_or_numbers(std::move(names));
 }
-
-/// Which entry of the settings is about each pair of bodies; -1: none.
-class Entries {
- public:
-  Entries(const std::vector<BodyContact>& contacts, const std::vector<std::string>& names)
-      : count_(names.size()), entry_(count_ * count_, -1) {
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-      const std::string where = message("dynamics.contacts.", k);
-      if (contacts[k].bodies.empty()) {
-        require(other_ < 0, where, ".bodies is empty, as in entry ", other_,
-                ": one entry may be about all other pairs");
-        other_ = static_cast<int>(k);
-        continue;
-      }
-      std::size_t body[2];
-      for (int side = 0; side < 2; ++side) {
-        const std::string& name = contacts[k].bodies[side];
-        const auto found = std::ranges::find(names, name);
-        require(found != names.end(), where,
-                ".bodies: ", found != names.end() ? "" : unknown_name("body", name, names));
-        body[side] = static_cast<std::size_t>(found - names.begin());
-      }
-      int& entry = entry_[std::min(body[0], body[1]) * count_ + std::max(body[0], body[1])];
-      require(entry < 0, where, ".bodies: ", names[body[0]], " and ", names[body[1]],
-              " have an entry already, ", entry);
-      entry = static_cast<int>(k);
-    }
-  }
-
-  /// For a < b: of that pair alone.
-  int own(std::size_t a, std::size_t b) const { return entry_[a * count_ + b]; }
-  /// The same, or that of all other pairs.
-  int of(std::size_t a, std::size_t b) const { return own(a, b) >= 0 ? own(a, b) : other_; }
-
- private:
-  std::size_t count_;
-  std::vector<int> entry_;
-  int other_ = -1;
-};
 
 int root_of(std::vector<int>& group, int body) {
   while (group[body] != body) {
@@ -115,7 +76,7 @@ double slowest_wave(const DynamicsData<Dim>& data) {
 /// Join the bodies that start as one, of those pairs that no entry is about.
 template <int Dim>
 void join_by_start(DynamicsData<Dim>& data, const std::vector<DynamicsBody>& bodies,
-                   const Entries& entries, std::vector<int>& group) {
+                   const PairEntries& entries, std::vector<int>& group) {
   std::vector<std::pair<int, int>> open;
   const int count = static_cast<int>(bodies.size());
   for (int a = 0; a < count; ++a) {
@@ -144,7 +105,7 @@ void join_by_start(DynamicsData<Dim>& data, const std::vector<DynamicsBody>& bod
 }
 
 /// The law between two groups of bodies: an entry about two of them, or the one for all others.
-ContactLaw law_between(const std::vector<BodyContact>& contacts, const Entries& entries,
+ContactLaw law_between(const std::vector<BodyContact>& contacts, const PairEntries& entries,
                        const std::vector<int>& field_of_body, std::pair<int, int> fields) {
   int found = -1, own = -1;
   const std::size_t count = field_of_body.size();
@@ -177,7 +138,11 @@ template <int Dim>
 ContactGroups contact_groups(DynamicsData<Dim>& data, const std::vector<DynamicsBody>& bodies) {
   const std::vector<BodyContact>& contacts = data.settings.contacts;
   const std::vector<std::string> names = names_of(bodies);
-  const Entries entries(contacts, names);
+  std::vector<std::vector<std::string>> named;
+  for (const BodyContact& contact : contacts) {
+    named.push_back(contact.bodies);
+  }
+  const PairEntries entries("dynamics.contacts", named, names);
   const int count = static_cast<int>(bodies.size());
   std::vector<int> group(bodies.size());
   std::iota(group.begin(), group.end(), 0);
