@@ -8,7 +8,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['Annulus', 'Balance', 'Body', 'BodyContact', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'DruckerPrager', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'FunctionSolid', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeightField', 'Image', 'Intersection', 'Mesh', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'TabulatedMohrCoulomb', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'VonMises', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify']
+__all__: list[str] = ['Annulus', 'Balance', 'Body', 'BodyContact', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'DruckerPrager', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'FunctionSolid', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeatContact', 'HeightField', 'Image', 'Intersection', 'Mesh', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'TabulatedMohrCoulomb', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'VonMises', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -926,16 +926,22 @@ class Newtonian:
         ...
 class Thermal:
     """
-    A solid that stores and conducts heat (Fourier), with constant coefficients.
+    A solid that stores and conducts heat (Fourier) and may melt; what depends on the temperature is a pair (temperatures, values).
     
     Parameters
     ----------
     density : float, kg/m^3, required
         mass per undeformed volume; above 0 (kg/m^3)
-    specific_heat : float, J/(kg K), required
-        heat per mass and kelvin; above 0 (J/(kg K))
-    conductivity : float | collections.abc.Sequence[float], W/(m K), required
-        thermal conductivity: a number, or xx, yy, zz, xy, yz, xz of a symmetric tensor
+    specific_heat : float | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]], J/(kg K), required
+        heat per mass and kelvin: a number, or a table over the temperature; above 0 (J/(kg K))
+    conductivity : float | collections.abc.Sequence[float] | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]], W/(m K), required
+        thermal conductivity: a number, xx, yy, zz, xy, yz, xz of a symmetric tensor, or a table over the temperature
+    latent_heat : float, J/kg, default 0.0
+        heat of melting per mass; at least 0 (J/kg)
+    solidus : float | None, K, default None
+        temperature at which melting begins
+    liquidus : float | None, K, default None
+        temperature at which melting ends, solidus unless said
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
     __signature__: typing.ClassVar[inspect.Signature]
@@ -943,7 +949,7 @@ class Thermal:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, density: float, specific_heat: float, conductivity: float | collections.abc.Sequence[float]) -> None:
+    def __init__(self, *, density: float, specific_heat: float | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]], conductivity: float | collections.abc.Sequence[float] | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]], latent_heat: float = ..., solidus: float | None = ..., liquidus: float | None = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -952,12 +958,12 @@ class Thermal:
     def __setstate__(self, members: dict[str, typing.Any]) -> None:
         ...
     @property
-    def conductivity(self) -> float | collections.abc.Sequence[float]:
+    def conductivity(self) -> float | collections.abc.Sequence[float] | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]]:
         """
-        thermal conductivity: a number, or xx, yy, zz, xy, yz, xz of a symmetric tensor, W/(m K)
+        thermal conductivity: a number, xx, yy, zz, xy, yz, xz of a symmetric tensor, or a table over the temperature, W/(m K)
         """
     @conductivity.setter
-    def conductivity(self, value: float | collections.abc.Sequence[float]) -> None:
+    def conductivity(self, value: float | collections.abc.Sequence[float] | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]]) -> None:
         ...
     @property
     def density(self) -> float:
@@ -968,12 +974,36 @@ class Thermal:
     def density(self, value: float) -> None:
         ...
     @property
-    def specific_heat(self) -> float:
+    def latent_heat(self) -> float:
         """
-        heat per mass and kelvin, J/(kg K)
+        heat of melting per mass, J/kg
+        """
+    @latent_heat.setter
+    def latent_heat(self, value: float) -> None:
+        ...
+    @property
+    def liquidus(self) -> float | None:
+        """
+        temperature at which melting ends, solidus unless said, K
+        """
+    @liquidus.setter
+    def liquidus(self, value: float | None) -> None:
+        ...
+    @property
+    def solidus(self) -> float | None:
+        """
+        temperature at which melting begins, K
+        """
+    @solidus.setter
+    def solidus(self, value: float | None) -> None:
+        ...
+    @property
+    def specific_heat(self) -> float | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]]:
+        """
+        heat per mass and kelvin: a number, or a table over the temperature, J/(kg K)
         """
     @specific_heat.setter
-    def specific_heat(self, value: float) -> None:
+    def specific_heat(self, value: float | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]]) -> None:
         ...
 class Elastic:
     """
@@ -1747,6 +1777,47 @@ class PrescribedTemperature:
     @value.setter
     def value(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
         ...
+class HeatContact:
+    """
+    A thermal resistance where two bodies, or all other pairs, touch.
+    
+    Parameters
+    ----------
+    bodies : collections.abc.Sequence[str], default ()
+        names of the two bodies; empty: every pair that no other entry names
+    conductance : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], W/(m^2 K), required
+        thermal contact conductance: flux over the jump of the temperature; at least 0 (W/(m^2 K))
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, bodies: collections.abc.Sequence[str] = ..., conductance: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def bodies(self) -> collections.abc.Sequence[str]:
+        """
+        names of the two bodies; empty: every pair that no other entry names
+        """
+    @bodies.setter
+    def bodies(self, value: collections.abc.Sequence[str]) -> None:
+        ...
+    @property
+    def conductance(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        thermal contact conductance: flux over the jump of the temperature, W/(m^2 K)
+        """
+    @conductance.setter
+    def conductance(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
 class Heat:
     """
     Heat conduction: the section [heat] of a scene.
@@ -1779,6 +1850,8 @@ class Heat:
         give sharp corners their whole area
     boundaries : list[Flux | Convection | Radiation | PrescribedTemperature], default []
         fluxes and prescribed temperatures; the first region that covers a place wins
+    contacts : list[HeatContact], default []
+        where bodies that touch resist the heat between them
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
     __signature__: typing.ClassVar[inspect.Signature]
@@ -1786,7 +1859,7 @@ class Heat:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, method: typing.Literal['virtual', 'paper', 'particle', 'node'] = ..., transfer: typing.Literal['auto', 'nodal', 'affine', 'flip', 'pic', 'tpic'] = ..., time_integration: typing.Literal['auto', 'explicit', 'implicit'] = ..., tolerance: float = ..., theta: float = ..., solver: typing.Literal['auto', 'direct', 'cg'] = ..., temperature_unit: typing.Literal['kelvin', 'celsius'] | None = ..., blend: float = ..., normal_smoothing: int = ..., surface_fraction: float = ..., implicit_robin: bool = ..., corner_fit: bool = ..., boundaries: list[Flux | Convection | Radiation | PrescribedTemperature] = ...) -> None:
+    def __init__(self, *, method: typing.Literal['virtual', 'paper', 'particle', 'node'] = ..., transfer: typing.Literal['auto', 'nodal', 'affine', 'flip', 'pic', 'tpic'] = ..., time_integration: typing.Literal['auto', 'explicit', 'implicit'] = ..., tolerance: float = ..., theta: float = ..., solver: typing.Literal['auto', 'direct', 'cg'] = ..., temperature_unit: typing.Literal['kelvin', 'celsius'] | None = ..., blend: float = ..., normal_smoothing: int = ..., surface_fraction: float = ..., implicit_robin: bool = ..., corner_fit: bool = ..., boundaries: list[Flux | Convection | Radiation | PrescribedTemperature] = ..., contacts: list[HeatContact] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -1809,6 +1882,14 @@ class Heat:
         """
     @boundaries.setter
     def boundaries(self, value: list[Flux | Convection | Radiation | PrescribedTemperature]) -> None:
+        ...
+    @property
+    def contacts(self) -> list[HeatContact]:
+        """
+        where bodies that touch resist the heat between them
+        """
+    @contacts.setter
+    def contacts(self, value: list[HeatContact]) -> None:
         ...
     @property
     def corner_fit(self) -> bool:

@@ -16,7 +16,8 @@ double TemperatureTable::at(double temperature) const {
     return values.back();
   }
   const auto k = static_cast<std::size_t>(after - temperatures.begin());
-  const double share = (temperature - temperatures[k - 1]) / (temperatures[k] - temperatures[k - 1]);
+  const double share =
+      (temperature - temperatures[k - 1]) / (temperatures[k] - temperatures[k - 1]);
   return values[k - 1] + share * (values[k] - values[k - 1]);
 }
 

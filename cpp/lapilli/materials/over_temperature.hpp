@@ -33,8 +33,8 @@ class OverTemperature {
   using constant_type = Constant;
 
   OverTemperature() = default;
-  OverTemperature(Constant constant) : form_(std::move(constant)) {}      // NOLINT: it is one
-  OverTemperature(double constant)                                        // NOLINT
+  OverTemperature(Constant constant) : form_(std::move(constant)) {}  // NOLINT: it is one
+  OverTemperature(double constant)                                    // NOLINT
       requires(!std::is_same_v<Constant, double>)
       : form_(Constant(constant)) {}
   OverTemperature(TemperatureTable table) : form_(std::move(table)) {}  // NOLINT

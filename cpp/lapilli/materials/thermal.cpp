@@ -21,9 +21,8 @@ void check_melting(const Thermal& material) {
           "which the material melts");
   require(material.melts() || !says_where,
           "thermal material: solidus and liquidus need a latent_heat above 0");
-  require(material.melting_begins() <= material.melting_ends(),
-          "thermal material: solidus ", material.melting_begins(), " K lies above liquidus ",
-          material.melting_ends(), " K");
+  require(material.melting_begins() <= material.melting_ends(), "thermal material: solidus ",
+          material.melting_begins(), " K lies above liquidus ", material.melting_ends(), " K");
 }
 
 }  // namespace

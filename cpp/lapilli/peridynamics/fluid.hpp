@@ -22,7 +22,7 @@ struct Fluid {
   Newtonian newtonian;
   std::vector<FluidBody> bodies;
 
-  double conductivity() const { return thermal.conductivity.constant()[0]; }             // W/(m K), isotropic
+  double conductivity() const { return thermal.conductivity.constant()[0]; }  // W/(m K), isotropic
   double diffusivity() const { return conductivity() / thermal.capacity(); }  // m^2/s
 };
 

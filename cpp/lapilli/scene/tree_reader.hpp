@@ -73,9 +73,8 @@ class TreeReader {
   Table table_of_file(const Tree::Table& table, const Tree::Entry& file, const Key& key,
                       const std::string& path);
   /// The lists of numbers `by` and "values" of a table, as many of each.
-  void read_columns(const Tree& tree, const Key& by, const Key& key,
-                    const std::string& path, std::vector<double>& places,
-                    std::vector<double>& values) const;
+  void read_columns(const Tree& tree, const Key& by, const Key& key, const std::string& path,
+                    std::vector<double>& places, std::vector<double>& values) const;
   void read_value(const Tree& tree, const Key& key, const std::string& path, Value& value);
   TemperatureTable read_temperature_table(const Tree& tree, const Key& key,
                                           const std::string& path);

@@ -59,8 +59,9 @@ TEST_CASE("enthalpy is the integral of the specific heat and gives its temperatu
     }
     if (trial % 30 == 0) {
       const double at = random.uniform(-500.0, 900.0);
-      REQUIRE(enthalpy.at(at) - enthalpy.at(0.0) ==
-              Approx(material.density * integral(*material.specific_heat.table(), at)).epsilon(1e-4));
+      REQUIRE(
+          enthalpy.at(at) - enthalpy.at(0.0) ==
+          Approx(material.density * integral(*material.specific_heat.table(), at)).epsilon(1e-4));
     }
   }
 }
@@ -84,8 +85,8 @@ TEST_CASE("Kirchhoff's potential of a line is its parabola") {
   const RisingIntegral potential = kirchhoff_potential(material);
   for (double at : {-50.0, 0.0, 20.0, 100.0, 140.0}) {
     const double inside = std::min(std::max(at, 0.0), 100.0);
-    const double exact = inside + 0.01 * inside * inside + std::min(at, 0.0) +
-                         3.0 * std::max(0.0, at - 100.0);
+    const double exact =
+        inside + 0.01 * inside * inside + std::min(at, 0.0) + 3.0 * std::max(0.0, at - 100.0);
     REQUIRE(potential.at(at) == Approx(exact / 3.0).epsilon(1e-14).margin(1e-14));
   }
 }
@@ -93,7 +94,8 @@ TEST_CASE("Kirchhoff's potential of a line is its parabola") {
 TEST_CASE("tables and melting that cannot be are refused by name") {
   using Catch::Matchers::ContainsSubstring;
   Thermal material{1.0, TemperatureTable{{1.0, 1.0}, {2.0, 3.0}}, 1.0, 0.0, {}, {}};
-  REQUIRE_THROWS_WITH(check(material), ContainsSubstring("specific_heat needs temperatures that rise"));
+  REQUIRE_THROWS_WITH(check(material),
+                      ContainsSubstring("specific_heat needs temperatures that rise"));
   material.specific_heat = TemperatureTable{{1.0, 2.0}, {2.0, 0.0}};
   REQUIRE_THROWS_WITH(check(material), ContainsSubstring("specific_heat must be positive"));
   material.specific_heat = 1.0;

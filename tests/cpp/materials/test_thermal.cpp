@@ -24,7 +24,8 @@ TEST_CASE("thermal coefficients out of range are refused") {
 }
 
 TEST_CASE("a conductivity tensor is judged by its principal values") {
-  Thermal material{1.0, 1.0, SymmetricTensor{2.0, 2.0, 1.0, 1.0, 0.0, 0.0}};  // principal values 3, 1, 1
+  Thermal material{1.0, 1.0,
+                   SymmetricTensor{2.0, 2.0, 1.0, 1.0, 0.0, 0.0}};  // principal values 3, 1, 1
   REQUIRE_NOTHROW(check(material));
   REQUIRE_FALSE(material.conductivity.constant().is_scalar());
   REQUIRE(largest_conductivity(material) == Approx(3.0).epsilon(1e-14));

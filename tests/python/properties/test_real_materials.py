@@ -104,9 +104,7 @@ def front_factor(stefan: float, start: float) -> float:
 
     def residual(x: float) -> float:
         return float(
-            np.exp(-x * x) / erf(x)
-            + start * np.exp(-x * x) / erfc(x)
-            - x * np.sqrt(np.pi) / stefan
+            np.exp(-x * x) / erf(x) + start * np.exp(-x * x) / erfc(x) - x * np.sqrt(np.pi) / stefan
         )
 
     return float(brentq(residual, 1e-3, 3.0))

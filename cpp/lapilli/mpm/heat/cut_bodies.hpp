@@ -18,8 +18,8 @@ PairEntries resisting_pairs(const std::vector<HeatBody>& bodies,
 template <int Dim>
 struct CutBody {
   std::vector<CellCut<Dim>> cells;
-  std::vector<std::vector<SurfacePiece<Dim>>> pieces;  // by law
-  std::vector<std::size_t> touching;                               // without resistance
+  std::vector<std::vector<SurfacePiece<Dim>>> pieces;               // by law
+  std::vector<std::size_t> touching;                                // without resistance
   std::map<std::size_t, std::vector<SurfacePiece<Dim>>> resisting;  // by other body
 };
 

@@ -154,8 +154,8 @@ template <int Dim>
 void EnthalpyHeat<Dim>::release_sources(Solved& one, const Step& step) {
   if (!one.part.sources.empty()) {
     std::vector<double> heat(one.heat.size(), 0.0);
-    source_ += source_heat(one.part, problem_.bodies, one.part.temperature, step.time, step.size,
-                           heat);
+    source_ +=
+        source_heat(one.part, problem_.bodies, one.part.temperature, step.time, step.size, heat);
     for (std::size_t place = 0; place < heat.size(); ++place) {
       one.heat[place] += heat[place];
     }
@@ -170,6 +170,16 @@ void EnthalpyHeat<Dim>::store(Solved& one) const {
       one.part.temperature[place] = one.enthalpy.at(place, one.stored[place]).temperature;
     }
   });
+  // What strays below or above is brought to the bound as a solid where that is a melting point.
+  one.range.restore(one.part, range_, one.part.temperature,
+                    {[&](Index place, double wanted) {
+                       return one.enthalpy.stored(place, wanted) - one.stored[place];
+                     },
+                     [&](Index place, double heat) {
+                       one.stored[place] += heat;
+                       one.part.temperature[place] =
+                           one.enthalpy.at(place, one.stored[place]).temperature;
+                     }});
   one.part.followers.prolong(one.part.temperature);
 }
 

@@ -60,9 +60,9 @@ double EnthalpyHeat<Dim>::liquid_at(const Solved& one, std::size_t body, Index p
   }
   double sum = 0.0;
   for (const auto& leader : one.part.followers.leaders(place)) {
-    sum += leader.weight * one.enthalpy.liquid_fraction(
-                               body, leader.place, one.part.temperature[leader.place],
-                               one.stored[leader.place]);
+    sum += leader.weight * one.enthalpy.liquid_fraction(body, leader.place,
+                                                        one.part.temperature[leader.place],
+                                                        one.stored[leader.place]);
   }
   return std::clamp(sum, 0.0, 1.0);
 }
@@ -131,9 +131,9 @@ std::vector<std::pair<std::string, double>> EnthalpyHeat<Dim>::diagnostics() con
       const std::string& own = problem_.bodies[body].name;
       return own.empty() ? message("body ", body) : own;
     };
-    all.emplace_back(message("heat from ", name(contacts_[k].first), " to ",
-                             name(contacts_[k].second)),
-                     through_contact_[k]);
+    all.emplace_back(
+        message("heat from ", name(contacts_[k].first), " to ", name(contacts_[k].second)),
+        through_contact_[k]);
   }
   return all;
 }

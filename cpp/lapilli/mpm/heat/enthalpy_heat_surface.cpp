@@ -99,8 +99,7 @@ void EnthalpyHeat<Dim>::exchange_with_surroundings(const Step& step) {
   surface_.evaluate(laws_, temperature, step.time, step.time + step.size);
   Vector given = step.size * surface_.force(), rise = Vector::Zero(given.size());
   if (!bears_explicitly(step.size)) {
-    const Vector start =
-        gather([&](const Unknown& u) { return solved_[u.part].stored[u.place]; });
+    const Vector start = gather([&](const Unknown& u) { return solved_[u.part].stored[u.place]; });
     const Vector coming = gather([&](const Unknown& u) { return solved_[u.part].heat[u.place]; });
     const Vector end = solve_surface(step.size, start, coming);
     given = end - start - coming;
@@ -137,15 +136,14 @@ typename EnthalpyHeat<Dim>::Vector EnthalpyHeat<Dim>::solve_surface(double size,
       const Unknown& u = unknown_[static_cast<std::size_t>(k)];
       const auto [value, slope] = solved_[u.part].enthalpy.at(u.place, stored[k]);
       temperature[k] = value;
-      capacity[k] =
-          slope > 0.0 ? 1.0 / slope : resists * solved_[u.part].part.capacity[u.place];
+      capacity[k] = slope > 0.0 ? 1.0 / slope : resists * solved_[u.part].part.capacity[u.place];
     }
   };
   look(start);
   const Vector before = temperature;
   const double rounding = (size * surface_.slopes_times(before)).cwiseAbs().maxCoeff();
-  const double bar = std::max(
-      {1e-11 * (wanted - start).cwiseAbs().maxCoeff(), 1e-14 * rounding, 1e-300});
+  const double bar =
+      std::max({1e-11 * (wanted - start).cwiseAbs().maxCoeff(), 1e-14 * rounding, 1e-300});
   const auto residual_of = [&](const Vector& stored) {
     look(stored);
     return Vector(wanted - stored - size * surface_.slopes_times(temperature - before));
@@ -156,10 +154,10 @@ typename EnthalpyHeat<Dim>::Vector EnthalpyHeat<Dim>::solve_surface(double size,
     SurfaceTerm::Matrix base(capacity.size(), capacity.size());
     base.setIdentity();
     base.diagonal() = capacity;
-    solver_.set_base(std::move(base), 0.0,
-                     Dim == 3 ? SurfaceSolver::Method::conjugate_gradient
-                              : SurfaceSolver::Method::direct,
-                     coordinates_);
+    solver_.set_base(
+        std::move(base), 0.0,
+        Dim == 3 ? SurfaceSolver::Method::conjugate_gradient : SurfaceSolver::Method::direct,
+        coordinates_);
     const Vector change =
         residual - size * surface_.slopes_times(solver_.solve(surface_, size, residual));
     double share = 1.0;
@@ -176,11 +174,11 @@ typename EnthalpyHeat<Dim>::Vector EnthalpyHeat<Dim>::solve_surface(double size,
   return stored;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                       \
-  template void EnthalpyHeat<Dim>::connect_surface();                                  \
-  template bool EnthalpyHeat<Dim>::bears_explicitly(double) const;                     \
-  template void EnthalpyHeat<Dim>::exchange_with_surroundings(const Step&);            \
-  template typename EnthalpyHeat<Dim>::Vector EnthalpyHeat<Dim>::solve_surface(        \
+#define LAPILLI_INSTANTIATE(Dim)                                                \
+  template void EnthalpyHeat<Dim>::connect_surface();                           \
+  template bool EnthalpyHeat<Dim>::bears_explicitly(double) const;              \
+  template void EnthalpyHeat<Dim>::exchange_with_surroundings(const Step&);     \
+  template typename EnthalpyHeat<Dim>::Vector EnthalpyHeat<Dim>::solve_surface( \
       double, const Vector&, const Vector&);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

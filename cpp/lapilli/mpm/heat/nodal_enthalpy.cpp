@@ -108,8 +108,8 @@ double NodalEnthalpy<Dim>::liquid_volume(std::span<const double> temperature,
   for (std::size_t k = 0; k < volume_.size(); ++k) {
     for (std::size_t place = 0; enthalpy_[k].melts() && place < leads_.size(); ++place) {
       if (leads_[place] != 0 && volume_[k][place] != 0.0) {
-        sum += volume_[k][place] * liquid_fraction(k, static_cast<Index>(place),
-                                                   temperature[place], stored[place]);
+        sum += volume_[k][place] *
+               liquid_fraction(k, static_cast<Index>(place), temperature[place], stored[place]);
       }
     }
   }

@@ -33,12 +33,12 @@ class NodalEnthalpy {
                   std::span<double> potential) const;
 
  private:
-  std::vector<Enthalpy> enthalpy_;         // by body of the part
-  std::vector<RisingIntegral> potential_;  //
-  std::vector<bool> conducts_evenly_;      // whether the potential is the temperature
+  std::vector<Enthalpy> enthalpy_;           // by body of the part
+  std::vector<RisingIntegral> potential_;    //
+  std::vector<bool> conducts_evenly_;        // whether the potential is the temperature
   std::vector<std::vector<double>> volume_;  // by body and place, m^dim
-  std::vector<unsigned char> leads_;  // by place
-  std::vector<int> only_;             // by place: the one body there, -1 where there are several
+  std::vector<unsigned char> leads_;         // by place
+  std::vector<int> only_;  // by place: the one body there, -1 where there are several
 };
 
 }  // namespace lapilli

@@ -87,6 +87,16 @@ double NodalRange<Dim>::stray(std::span<const double> temperature,
 template <int Dim>
 bool NodalRange<Dim>::restore(const HeatPart<Dim>& part, const TemperatureRange& range,
                               std::span<double> temperature) const {
+  const std::vector<double>& capacity = part.capacity;
+  return restore(
+      part, range, temperature,
+      {[&](Index place, double wanted) { return capacity[place] * (wanted - temperature[place]); },
+       [&](Index place, double heat) { temperature[place] += heat / capacity[place]; }});
+}
+
+template <int Dim>
+bool NodalRange<Dim>::restore(const HeatPart<Dim>& part, const TemperatureRange& range,
+                              std::span<const double> temperature, const NodalStore& store) const {
   if (!std::isfinite(range.low) || !(stray(temperature, range) > slack(range))) {
     return false;
   }
@@ -94,7 +104,7 @@ bool NodalRange<Dim>::restore(const HeatPart<Dim>& part, const TemperatureRange&
   for (const Run& run : runs_) {
     for (Index i = 0; i < run.count; ++i) {
       if (const double value = temperature[run.place + i]; !held.holds(value)) {
-        restore_node(part, run.node + i, value > range.high ? range.high : range.low, temperature);
+        restore_node(part, run.node + i, value > range.high ? range.high : range.low, store);
       }
     }
   }
@@ -103,10 +113,10 @@ bool NodalRange<Dim>::restore(const HeatPart<Dim>& part, const TemperatureRange&
 
 template <int Dim>
 void NodalRange<Dim>::restore_node(const HeatPart<Dim>& part, Index node, double bound,
-                                   std::span<double> temperature) const {
+                                   const NodalStore& store) const {
   const Index own = part.rows->place(node);
-  double left = part.capacity[own] * (temperature[own] - bound);
-  std::vector<Index> around;
+  double left = -store.needed(own, bound);
+  std::vector<std::pair<Index, double>> around;  // places and what each takes, J
   for (int reach = 1; reach <= farthest && left != 0.0; ++reach) {
     // Those that can take some up, on the side of the bound where the range lies.
     around.clear();
@@ -129,19 +139,19 @@ void NodalRange<Dim>::restore_node(const HeatPart<Dim>& part, Index node, double
         continue;
       }
       const Index place = part.rows->place(beside);
-      const double takes = part.capacity[place] * (bound - temperature[place]);
+      const double takes = store.needed(place, bound);
       if (takes * left > 0.0) {
-        around.push_back(place);
+        around.emplace_back(place, takes);
         room += takes;
       }
     }
     const double share = around.empty() ? 0.0 : std::min(1.0, left / room);
-    for (const Index place : around) {
-      temperature[place] += share * (bound - temperature[place]);
+    for (const auto& [place, takes] : around) {
+      store.give(place, share * takes);
     }
     left = share < 1.0 && !around.empty() ? 0.0 : left - share * room;
   }
-  temperature[own] = bound + left / part.capacity[own];
+  store.give(own, store.needed(own, bound) + left);
 }
 
 template class NodalRange<1>;

@@ -22,8 +22,8 @@ double source_heat(const HeatPart<Dim>& part, const std::vector<HeatBody>& bodie
   return sum;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                             \
-  template double source_heat(const HeatPart<Dim>&, const std::vector<HeatBody>&,            \
+#define LAPILLI_INSTANTIATE(Dim)                                                  \
+  template double source_heat(const HeatPart<Dim>&, const std::vector<HeatBody>&, \
                               std::span<const double>, double, double, std::span<double>);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

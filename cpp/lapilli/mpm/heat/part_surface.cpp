@@ -186,13 +186,13 @@ void store_heat(const HeatProblem<Dim>& problem, const std::vector<std::vector<d
   part.followers.prolong(part.temperature);
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                             \
-  template std::vector<PiecesOfBodies<Dim>> pieces_of_part(                                  \
-      const std::vector<CutBody<Dim>>&, std::span<const ResistingContact>,                   \
-      const std::vector<std::size_t>&);                                                      \
-  template void connect_surface(const HeatProblem<Dim>&,                                     \
-                                const std::vector<PiecesOfBodies<Dim>>&, HeatPart<Dim>&);    \
-  template void store_heat(const HeatProblem<Dim>&, const std::vector<std::vector<double>>&, \
+#define LAPILLI_INSTANTIATE(Dim)                                                                  \
+  template std::vector<PiecesOfBodies<Dim>> pieces_of_part(const std::vector<CutBody<Dim>>&,      \
+                                                           std::span<const ResistingContact>,     \
+                                                           const std::vector<std::size_t>&);      \
+  template void connect_surface(const HeatProblem<Dim>&, const std::vector<PiecesOfBodies<Dim>>&, \
+                                HeatPart<Dim>&);                                                  \
+  template void store_heat(const HeatProblem<Dim>&, const std::vector<std::vector<double>>&,      \
                            HeatPart<Dim>&);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

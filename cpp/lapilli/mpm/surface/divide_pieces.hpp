@@ -13,7 +13,7 @@ namespace lapilli {
 template <int Dim>
 class SurfaceDivision {
  public:
-  static constexpr int nobody = -1;   // no law wants it
+  static constexpr int nobody = -1;         // no law wants it
   static constexpr int on_wall_label = -2;  // it rests on a wall
   /// Labels below: it rests on another body.
   static constexpr int on_body(std::size_t other) { return -3 - static_cast<int>(other); }
