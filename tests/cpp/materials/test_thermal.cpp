@@ -6,7 +6,7 @@
 using namespace lapilli;
 
 TEST_CASE("thermal coefficients out of range are refused") {
-  Thermal sound{2000.0, 800.0, 2.0};
+  Thermal sound{2000.0, 800.0, 2.0, 0.0, {}, {}};
   REQUIRE_NOTHROW(check(sound));
   REQUIRE(sound.conductivity.constant().is_scalar());
   for (double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
@@ -24,8 +24,8 @@ TEST_CASE("thermal coefficients out of range are refused") {
 }
 
 TEST_CASE("a conductivity tensor is judged by its principal values") {
-  Thermal material{1.0, 1.0,
-                   SymmetricTensor{2.0, 2.0, 1.0, 1.0, 0.0, 0.0}};  // principal values 3, 1, 1
+  Thermal material{1.0, 1.0, SymmetricTensor{2.0, 2.0, 1.0, 1.0, 0.0, 0.0},
+                   0.0, {},  {}};  // principal values 3, 1, 1
   REQUIRE_NOTHROW(check(material));
   REQUIRE_FALSE(material.conductivity.constant().is_scalar());
   REQUIRE(largest_conductivity(material) == Approx(3.0).epsilon(1e-14));

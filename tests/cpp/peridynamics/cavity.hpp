@@ -85,7 +85,7 @@ inline std::vector<Wall> make_walls(double left, double right) {
 /// Density, capacity, conductivity and viscosity 1, at 0 K and rest.
 inline Fluid unit_fluid() {
   Fluid fluid;
-  fluid.thermal = {1.0, 1.0, 1.0};
+  fluid.thermal = {1.0, 1.0, 1.0, 0.0, {}, {}};
   fluid.newtonian.density = fluid.newtonian.viscosity = 1.0;
   fluid.bodies = {{}};
   return fluid;

@@ -30,6 +30,21 @@ class RandomMembers {
     } else if constexpr (std::is_same_v<T, SymmetricTensor>) {
       member = SymmetricTensor(number(key));
       member[3] = chance(0.5) ? 0.0 : number(key);
+    } else if constexpr (is_over_temperature<T>) {
+      typename T::constant_type constant{};
+      fill(key, constant, depth);
+      member = constant;
+      if (chance(0.5)) {
+        TemperatureTable table;
+        double at = number(Key("temperatures"));
+        const std::size_t entries = 1 + below(4);
+        for (std::size_t k = 0; k < entries; ++k) {
+          table.temperatures.push_back(at);
+          table.values.push_back(number(key));
+          at += std::max(1.0, std::abs(at));
+        }
+        member = std::move(table);
+      }
     } else if constexpr (Named<T>) {
       const auto count = std::size(Names<T>::values);
       member = Names<T>::values[below(count)].first;

@@ -39,7 +39,7 @@ TEST_CASE("only what differs from the defaults is written") {
   scene.grid = {{0.0}, {1.0}, 0.1, ShapeFunction::gimp};
   scene.bodies.resize(1);
   scene.bodies[0].shape = Box{{0.0}, {1.0}};
-  scene.bodies[0].material = {Thermal{2.0, 3.0, 4.0}};
+  scene.bodies[0].material = {Thermal{2.0, 3.0, 4.0, 0.0, {}, {}}};
   scene.heat.emplace();
   scene.time.end = 1.0;
   CHECK(to_toml(scene) == R"(

@@ -3,6 +3,8 @@ do not fit the grid, against closed forms."""
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import numpy.typing as npt
 import pytest
@@ -204,8 +206,8 @@ def test_a_slab_with_a_varying_specific_heat_takes_up_its_heat() -> None:
     assert temperature.mean() == pytest.approx(exact, rel=2e-4)
 
 
-@pytest.mark.parametrize("seed", range(12))
-def test_drawn_bodies_that_melt_keep_heat_and_range(seed: int) -> None:
+def lump(seed: int) -> lp.Scene:
+    """A body at random that melts or freezes, its properties tables."""
     rng = np.random.default_rng(seed)
     cell = 10 ** rng.uniform(-4, 2)
     low, high = np.sort(rng.uniform(200, 2000, 2))
@@ -234,19 +236,44 @@ def test_drawn_bodies_that_melt_keep_heat_and_range(seed: int) -> None:
         lp.Radiation(ambient=outside, stefan_boltzmann=strength / high**3),
     )[seed % 3]
     time = (4 * cell) ** 2 * 7800 * 600 / conductivity
-    scene = lp.Scene(
+    return lp.Scene(
         grid=lp.Grid(lower=(-8 * cell,) * 2, upper=(8 * cell,) * 2, cell=cell),
         bodies=[lp.Body(name="lump", shape=shape, material=material, temperature=start)],
         heat=lp.Heat(boundaries=[law]),
         time=lp.Time(end=time),
     )
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_drawn_bodies_that_melt_keep_heat_and_range(seed: int) -> None:
+    scene = lump(seed)
+    law = scene.heat.boundaries[0]
+    outside = law.value if isinstance(law, lp.PrescribedTemperature) else law.ambient
+    low, high = sorted((float(outside), float(scene.bodies[0].temperature)))
     _, temperature, simulation = solved(scene)
     slack = 1e-9 * (high - low)
-    assert simulation.diagnostics()["heat/nodal_stray"] <= 5e-3 * (high - low)
+    assert simulation.diagnostics()["heat/nodal_stray"] <= slack
     assert temperature.min() >= low - slack
     assert temperature.max() <= high + slack
-    assert 0 <= simulation["liquid_fraction"].min()
+    assert simulation["liquid_fraction"].min() >= 0
     assert simulation["liquid_fraction"].max() <= 1 + 1e-12
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_melting_has_the_same_bytes_resumed_and_for_any_threads(seed: int, tmp_path: Path) -> None:
+    scene = lump(seed)
+    whole = lp.run(scene, threads=1, progress=False)
+    path = tmp_path / "cut.vtkhdf"
+    lp.run(
+        scene,
+        path,
+        threads=2,
+        progress=False,
+        callback=lambda s: s.time < 0.4 * scene.time.end,
+    )
+    resumed = lp.run(scene, path, threads=3, progress=False, resume=True)
+    for field in ("temperature", "liquid_fraction", "heat_flux"):
+        assert resumed[field].tobytes() == whole[field].tobytes()
 
 
 def test_what_cannot_be_is_refused_by_name() -> None:
@@ -266,5 +293,5 @@ def test_what_cannot_be_is_refused_by_name() -> None:
         lp.Simulation(bar.scene([one, far], end=1.0, contacts=[contact]))
     melting = lp.Thermal(density=1, specific_heat=1, conductivity=1, latent_heat=1, solidus=1)
     one = lp.Body(name="one", shape=bar.piece(0, 0.4), material=melting)
-    with pytest.raises(ValueError, match="leave heat.time_integration out"):
+    with pytest.raises(ValueError, match="leave heat"):
         lp.Simulation(bar.scene([one], end=1.0, time_integration="implicit"))
