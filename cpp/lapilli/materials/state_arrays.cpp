@@ -59,6 +59,14 @@ std::vector<Field> StateArrays::fields() const {
   return all;
 }
 
+std::vector<std::pair<std::string, PointArray*>> StateArrays::arrays() const {
+  std::vector<std::pair<std::string, PointArray*>> all;
+  for (const Array& array : arrays_) {
+    all.emplace_back(array.variable.name, array.values.get());
+  }
+  return all;
+}
+
 void StateArrays::save(Archive& archive, const std::string& prefix) const {
   for (const Array& array : arrays_) {
     archive.write(prefix + array.variable.name, std::as_const(*array.values).values());

@@ -31,6 +31,8 @@ class StateArrays {
   void write(Index body, Index row, const double* values);
 
   std::vector<Field> fields() const;
+  /// All variables by name.
+  std::vector<std::pair<std::string, PointArray*>> arrays() const;
   void save(Archive& archive, const std::string& prefix) const;
   void load(const Archive& archive, const std::string& prefix);
 

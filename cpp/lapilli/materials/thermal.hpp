@@ -16,7 +16,7 @@ struct Thermal {
   OverTemperature<double> specific_heat;          // J/(kg K)
   OverTemperature<SymmetricTensor> conductivity;  // W/(m K); a number is isotropic
   double latent_heat = 0.0;                       // J/kg
-  std::optional<double> solidus, liquidus;        // K; one alone stands for both
+  std::optional<double> solidus{}, liquidus{};    // K; one alone stands for both
 
   bool operator==(const Thermal&) const = default;
 

@@ -57,6 +57,7 @@ struct Body {
   Value temperature = 0.0;       // K, at the start
   Value source = 0.0;            // W/m^3, heat released
   std::vector<double> velocity;  // m/s, at the start; empty: at rest
+  std::vector<double> spin, spin_center;  // rad/s; m
   std::optional<GeostaticStress> geostatic;
   std::optional<Motion> motion;
 
@@ -98,6 +99,12 @@ struct Body {
     visit(Key("temperature").unit("K").text("temperature at the start"), self.temperature);
     visit(Key("source").unit("W/m^3").text("heat released in its volume"), self.source);
     visit(Key("velocity").unit("m/s").length(0, 3).text("velocity at the start"), self.velocity);
+    visit(Key("spin").unit("rad/s").one_or_many().length(0, 3).text(
+              "angular velocity at the start, counter-clockwise: a number, or x, y, z in space"),
+          self.spin);
+    visit(Key("spin_center").unit("m").length(0, 3).text(
+              "place about which it spins; empty: the centre of its volume"),
+          self.spin_center);
     visit(Key("geostatic").text("stress at the start, of a body at rest; absent: none"),
           self.geostatic);
     visit(Key("motion").text("prescribed motion"), self.motion);

@@ -1,5 +1,6 @@
 #include "lapilli/scene/build.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -15,10 +16,12 @@
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/build_peridynamics.hpp"
+#include "lapilli/scene/initial_state.hpp"
 #include "lapilli/scene/memory.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/run_scene.hpp"
+#include "lapilli/scene/stress_at_start.hpp"
 #include "lapilli/scene/validate.hpp"
 
 namespace lapilli {
@@ -130,28 +133,53 @@ std::unique_ptr<Physics> quasi_static_of(const Scene& scene, Points& points) {
   });
 }
 
+// A translation and a spin; empty for a body at rest.
+std::function<Vec3(const Vec3&)> velocity_at_start(const Body& body, const FilledPoints& filled,
+                                                   int dimension) {
+  const Vec3 start = place(body.velocity);
+  if (body.spin.empty()) {
+    return body.velocity.empty() ? std::function<Vec3(const Vec3&)>()
+                                 : [start](const Vec3&) { return start; };
+  }
+  const Vec3 spin = dimension == 2 ? Vec3(0.0, 0.0, body.spin.front()) : place(body.spin);
+  Vec3 center = place(body.spin_center);
+  if (body.spin_center.empty()) {
+    double volume = 0.0;
+    for (std::size_t k = 0; k < filled.volume.size(); ++k) {
+      volume += filled.volume[k];
+      for (int axis = 0; axis < dimension; ++axis) {
+        center[axis] += filled.volume[k] * filled.position[k * dimension + axis];
+      }
+    }
+    center /= volume;
+  }
+  return [=](const Vec3& at) { return Vec3(start + spin.cross(at - center)); };
+}
+
 template <int Dim>
 std::unique_ptr<Dynamics<Dim>> dynamics_of(const Scene& scene, const Grid<Dim>& grid,
                                            const std::vector<FilledPoints>& filled,
+                                           const std::optional<InitialState>& initial,
                                            Points& points) {
   DynamicsProblem<Dim> problem{
-      grid, scene.grid.shape_function, {}, *scene.dynamics, distance_of(scene)};
+      grid, scene.grid.shape_function, {}, *scene.dynamics,
+      initial ? DistanceFunction() : distance_of(scene)};  // bodies that go on have moved
+  const StressAtStart stress(scene);
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const std::string& name = scene.bodies[k].name;
     DynamicsBody body{solids_in(scene.bodies[k]).front(), half_width_of(scene, filled[k]), {}, {}};
     body.name = name;
     body.label = name.empty() ? message("body ", k) : message("body '", name, "'");
-    if (!scene.bodies[k].velocity.empty()) {
-      body.velocity = [start = place(scene.bodies[k].velocity)](const Vec3&) { return start; };
+    if (initial && initial->continues(k)) {
+      problem.bodies.push_back(std::move(body));
+      continue;
     }
-    if (scene.bodies[k].geostatic) {
-      const Vec3 gravity = place(scene.dynamics->gravity);
-      const double density = elastic_part(body.material).density;
-      body.stress = [rest = *scene.bodies[k].geostatic, gravity, density](const Vec3& at) {
-        return stress_at(rest, at, gravity, density);
-      };
-    }
+    body.velocity = velocity_at_start(scene.bodies[k], filled[k], Dim);
+    body.stress = stress.of(k);
     problem.bodies.push_back(std::move(body));
+  }
+  if (initial) {
+    problem.start = initial->points(filled);
   }
   return at_place(scene, "dynamics", [&] { return make_dynamics<Dim>(points, problem); });
 }
@@ -220,7 +248,12 @@ void check_probes(const Scene& scene, Simulation& simulation) {
 template <int Dim>
 std::unique_ptr<Simulation> build_in(const Scene& scene) {
   const Grid<Dim> grid = grid_of<Dim>(scene);
-  const std::vector<FilledPoints> filled = fill_bodies(scene);
+  std::vector<FilledPoints> filled = fill_bodies(scene);
+  std::optional<InitialState> initial;
+  if (!scene.initial_state.empty()) {
+    initial.emplace(scene);
+    initial->replace(filled);
+  }
   const std::vector<FilledPoints> walls = fill_walls(scene, filled);
   std::unique_ptr<Points> points = points_of(scene, filled, walls);
   PhysicsList physics;
@@ -229,7 +262,7 @@ std::unique_ptr<Simulation> build_in(const Scene& scene) {
   }
   if constexpr (Dim > 1) {
     if (scene.dynamics) {
-      auto dynamics = dynamics_of<Dim>(scene, grid, filled, *points);
+      auto dynamics = dynamics_of<Dim>(scene, grid, filled, initial, *points);
       if (scene.heat) {
         couple<Dim>(scene, *points, dynamic_cast<ParticleHeat<Dim>&>(*physics.front()), *dynamics,
                     physics);

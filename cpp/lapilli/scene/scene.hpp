@@ -115,6 +115,7 @@ struct Places;
 struct Scene {
   std::string title;
   GridSettings grid;
+  std::string initial_state;  // checkpoint of the run that bodies go on from; empty: none
   std::vector<Body> bodies;
   std::optional<HeatSettings> heat;
   std::optional<DynamicsSettings> dynamics;
@@ -129,6 +130,11 @@ struct Scene {
   static void describe(Self& self, Visitor& visit) {
     visit(Key("title").text("what the scene shows"), self.title);
     visit(Key("grid").required().text("background grid"), self.grid);
+    visit(Key("initial_state")
+              .file()
+              .text("checkpoint of another run with [dynamics]: bodies of the same name go on from "
+                    "there, with the loads and materials of this scene"),
+          self.initial_state);
     visit(Key("bodies").required().length(1, 1000000).text("bodies"), self.bodies);
     visit(Key("heat").text("heat conduction; absent: not modelled"), self.heat);
     visit(Key("dynamics").text("explicit dynamics; absent: not modelled"), self.dynamics);

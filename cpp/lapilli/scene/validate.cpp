@@ -172,6 +172,7 @@ void check_dynamics_body(const Scene& scene, const Body& body, const std::string
                "has no effect without [dynamics] or [peridynamics]; a prescribed motion is "
                "`motion`");
     require_at(!body.geostatic, scene, path + ".geostatic", "has no effect without [dynamics]");
+    require_at(body.spin.empty(), scene, path + ".spin", "has no effect without [dynamics]");
     return;
   }
   require_at(solids_in(body).size() == 1, scene, path + ".material", "has no solid material (",
@@ -181,6 +182,8 @@ void check_dynamics_body(const Scene& scene, const Body& body, const std::string
   if (body.geostatic) {
     check_dimension(scene, body.geostatic->surface, path + ".geostatic.surface");
     check_dimension(scene, body.geostatic->normal, path + ".geostatic.normal");
+    require_at(body.geostatic->normal.empty() || !body.geostatic->surface.empty(), scene,
+               path + ".geostatic.normal", "needs a surface, a place that it belongs to");
   }
   double density = 0.0;
   for (const Material& material : body.material) {
@@ -196,6 +199,13 @@ void check_place(const Scene& scene, const Body& body, const std::string& path) 
   check_dimension(scene, body.rotation_center, path + ".rotation_center");
   check_dimension(scene, body.translation, path + ".translation");
   check_dimension(scene, body.velocity, path + ".velocity");
+  check_dimension(scene, body.spin_center, path + ".spin_center");
+  const std::size_t rates = dimension_of(scene) == 3 ? 3 : 1;
+  require_at(body.spin.empty() || (body.spin.size() == rates && dimension_of(scene) > 1), scene,
+             path + ".spin", "needs ", rates == 3 ? "three numbers" : "one number",
+             ", radians a second, in ", dimension_of(scene), " dimensions");
+  require_at(body.spin_center.empty() || !body.spin.empty(), scene, path + ".spin_center",
+             "has no effect without spin");
   check_axis(scene, body.rotation_axis, path + ".rotation_axis");
   require_at(body.rotation == 0.0 || dimension_of(scene) > 1, scene, path + ".rotation",
              "cannot turn a body in one dimension");
@@ -302,6 +312,10 @@ void validate(const Scene& as_written) {
   mistakes.gather([&] { validate_peridynamics(scene); });
   mistakes.gather([&] { validate_heat(scene); });
   mistakes.gather([&] { check_probes(scene); });
+  mistakes.gather([&] {
+    require_at(scene.initial_state.empty() || scene.dynamics, scene, "initial_state",
+               "has no effect without [dynamics]");
+  });
   if (scene.dynamics) {
     mistakes.gather([&] {
       require_at(dimension_of(scene) > 1, scene, "dynamics",

@@ -55,6 +55,7 @@ ELSEWHERE: dict[str, str] = {
     "Probe.every_steps": "tests/python/test_history.py",
     "Grid.upper": "more room changes nothing: tests/cpp/mpm/test_heat_invariance.cpp",
     "Heat.boundaries": "the keys of each boundary condition",
+    "Scene.initial_state": "tests/python/properties/test_calm_start.py",
     "Heat.contacts": "the keys of HeatContact",
     "HeatContact.bodies": "tests/python/properties/test_real_materials.py",
     "Heat.solver": "solvers agree: tests/cpp/mpm/test_theta.cpp",

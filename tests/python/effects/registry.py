@@ -60,6 +60,8 @@ EFFECTS: dict[str, Effect] = {
     "Body.temperature": Effect(D, "bodies[0].temperature", 0.0, 2.0, supplied("heat"), "<"),
     "Body.source": Effect(D, "bodies[0].source", 0.0, 3.0, mean("temperature"), ">"),
     "Body.velocity": Effect(F, "bodies[0].velocity", (0.5, -1), (-0.5, -1), centre(0), "<"),
+    "Body.spin": Effect(F, "bodies[0].spin", 1.0, 2.0, VELOCITY, "!="),
+    "Body.spin_center": Effect(v.spinning_block, "bodies[0].spin_center", (1.5, 0.5), (0, 0), centre(1), ">"),
     # materials
     "Thermal.density": Effect(
         v.flux_disk, "bodies[0].material.density", 1, 2, mean("temperature"), "<"
@@ -278,6 +280,15 @@ EFFECTS: dict[str, Effect] = {
     ),
     # momentum
     "Dynamics.gravity": Effect(F, "dynamics.gravity", (0, -10), (1, -10), centre(0), ">"),
+    "Dynamics.gravity_factor": Effect(
+        F, "dynamics.gravity_factor", lp.Table([0, 1], [0, 1]), 1.0, centre(0), ">"
+    ),
+    "Dynamics.local_damping": Effect(
+        v.damped_block, "dynamics.local_damping", 0.1, 0.8, number("dynamics/damping_loss"), ">"
+    ),
+    "Dynamics.damping_until": Effect(
+        v.damped_block, "dynamics.damping_until", 0.02, 0.1, number("dynamics/damping_loss"), ">"
+    ),
     "Dynamics.transfer": Effect(F, "dynamics.transfer", "flip", "apic", VELOCITY, "!="),
     "Dynamics.blend_rate": Effect(F, "dynamics.blend_rate", 4.0, 40.0, VELOCITY, "!="),
     "Dynamics.pic_fraction": Effect(
@@ -480,6 +491,15 @@ EFFECTS: dict[str, Effect] = {
     ),
     "Geostatic.normal": Effect(
         v.resting_block, "bodies[0].geostatic.normal", (0, 1), (0.1, 1), STRESS, "!=", steps=False
+    ),
+    "Geostatic.surcharge": Effect(
+        v.resting_block,
+        "bodies[0].geostatic.surcharge",
+        0.0,
+        1e3,
+        lambda s: float(s["stress"][:, 1].mean()),
+        "<",
+        steps=False,
     ),
     "ThermalExpansion.coefficient": Effect(
         v.expanding_block, "bodies[0].material[2].coefficient", 1e-3, 2e-3, radius_of_gyration, ">"

@@ -128,6 +128,19 @@ def flip_block() -> lp.Scene:
     return scenes.falling_block(transfer="flip")
 
 
+def damped_block() -> lp.Scene:
+    """A block that hits a wall while local damping acts."""
+    return scenes.falling_block(local_damping=0.1)
+
+
+def spinning_block() -> lp.Scene:
+    """A block that spins in the air."""
+    scene = scenes.falling_block(grid_boundaries=[])
+    scene.bodies[0].shape = lp.Box(lower=(1, 0.5), upper=(2, 1.5))
+    scene.bodies[0].spin = 1.0
+    return scene
+
+
 def resting_block() -> lp.Scene:
     """A block at rest below an even surface, with the stress of its weight."""
     scene = scenes.falling_block(

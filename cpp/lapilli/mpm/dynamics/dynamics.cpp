@@ -5,7 +5,10 @@
 #include <limits>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/geometry/bounds.hpp"
+#include "lapilli/mpm/dynamics/damp_nodes.hpp"
 #include "lapilli/mpm/dynamics/point_kernel.hpp"
+#include "lapilli/mpm/dynamics/point_start.hpp"
 #include "lapilli/mpm/dynamics/project_to_grid.hpp"
 #include "lapilli/mpm/dynamics/stable_choice.hpp"
 #include "lapilli/mpm/dynamics/update_points.hpp"
@@ -17,6 +20,9 @@ Dynamics<Dim>::Dynamics(Points& points, const DynamicsProblem<Dim>& problem)
     : data_(points, problem) {
   require_stable_choice(data_);
   start_affine(problem);
+  if (problem.start) {
+    problem.start->apply(data_);
+  }
   data_.order.update(points);
   if (problem.bodies.size() > 1 || !problem.settings.contacts.empty()) {
     ContactGroups groups = contact_groups(data_, problem.bodies);
@@ -50,6 +56,9 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
     incremental_deformation();
   }
   keep_order(step.size);
+  if (!data_.settings.gravity_factor.is_constant()) {
+    turn_gravity(step);
+  }
   project_to_grid(data_, step.size);
   if (loads_) {
     loads_->add_forces(data_, step.time);
@@ -82,6 +91,8 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   flows_.strain -= internal_work + sums.strain_work;
   flows_.gravity += step.size * total_mass_ * data_.gravity;
   flows_.walls += nodes.wall_impulse;
+  flows_.damping -= nodes.damping;
+  flows_.damped += nodes.damping_impulse;
   kinetic_ = sums.kinetic;
   const double moved = step.size * std::max(speed_, sums.speed);
   drift_ += moved;
@@ -96,11 +107,25 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   return {.accepted = step.size};
 }
 
-/// Forces, then other bodies, then obstacles, then walls, which have the last word at the nodes
+/// The mean over the step; what the points' potential energy changes by, gravity puts in.
+template <int Dim>
+void Dynamics<Dim>::turn_gravity(const Step& step) {
+  const double before = potential_energy();
+  data_.gravity = place(data_.settings.gravity) *
+                  data_.settings.gravity_factor.mean(step.time, step.time + step.size);
+  flows_.gravity_changes += potential_energy() - before;
+}
+
+/// Forces, damping, then other bodies, then obstacles, then walls, which have the last word at the nodes
 /// they share.
 template <int Dim>
 NodeSums Dynamics<Dim>::solve_nodes(const Step& step) {
   NodeSums sums = accelerate_nodes(data_, step.size);
+  const DynamicsSettings& settings = data_.settings;
+  if (settings.local_damping > 0.0 &&
+      !(settings.damping_until && step.time >= *settings.damping_until)) {
+    damp_nodes(data_, settings.local_damping, step.size, sums);
+  }
   if (contacts_) {
     contacts_->push(data_, step.size, sums);
   }
@@ -202,7 +227,9 @@ template <int Dim>
 StepLimit Dynamics<Dim>::step_limit() const {
   const double h = data_.grid.cell_size(), safety = data_.settings.courant;
   const double crossing = h / (wave_speed_ + speed_ + (obstacles_ ? obstacles_->speed() : 0.0));
-  const double g = data_.gravity.norm();
+  const Value& factor = data_.settings.gravity_factor;
+  const double g = place(data_.settings.gravity).norm() *
+                   std::max(std::abs(factor.largest()), std::abs(factor.least()));
   const double fall = g > 0.0 ? std::sqrt(h / g) : std::numeric_limits<double>::infinity();
   // At the rate of the last step no point strains by more than a quarter in the next: what flows
   // without change of volume would turn inside out as well.

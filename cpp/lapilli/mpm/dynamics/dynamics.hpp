@@ -62,11 +62,14 @@ class Dynamics final : public Physics,
     double plastic = 0.0, friction = 0.0, impact = 0.0, transfer = 0.0;  // J, taken out
     double strain = 0.0;     // J, taken from the nodes and not given to the points
     double expansion = 0.0;  // J, given by free strain
-    Vec3 gravity = Vec3::Zero(), walls = Vec3::Zero();  // N s, given
+    double damping = 0.0;          // J, by local damping
+    double gravity_changes = 0.0;  // J, given by a gravity that varies in time
+    Vec3 gravity = Vec3::Zero(), walls = Vec3::Zero(), damped = Vec3::Zero();  // N s, given
   };
 
   void start_affine(const DynamicsProblem<Dim>& problem);
   void keep_order(double step);
+  void turn_gravity(const Step& step);
   NodeSums solve_nodes(const Step& step);
   void carry_points();
   void stop_if_broken(const PointSums& sums) const;

@@ -52,6 +52,10 @@ void Dynamics<Dim>::save(Archive& archive) const {
   archive.write("dynamics/account", std::span<const double>(numbers));
   archive.write("dynamics/impulse/gravity", std::span<const double>(flows_.gravity.data(), 3));
   archive.write("dynamics/impulse/walls", std::span<const double>(flows_.walls.data(), 3));
+  archive.write("dynamics/impulse/damping", std::span<const double>(flows_.damped.data(), 3));
+  archive.write("dynamics/damping", flows_.damping);
+  archive.write("dynamics/gravity", std::span<const double>(data_.gravity.data(), 3));
+  archive.write("dynamics/gravity_changes", flows_.gravity_changes);
   archive.write("dynamics/impulse/initial", std::span<const double>(initial_momentum_.data(), 3));
 }
 
@@ -113,6 +117,10 @@ void Dynamics<Dim>::load(const Archive& archive) {
   ahead_ = numbers[15];
   archive.read("dynamics/impulse/gravity", std::span<double>(flows_.gravity.data(), 3));
   archive.read("dynamics/impulse/walls", std::span<double>(flows_.walls.data(), 3));
+  archive.read("dynamics/impulse/damping", std::span<double>(flows_.damped.data(), 3));
+  flows_.damping = archive.read_number("dynamics/damping");
+  archive.read("dynamics/gravity", std::span<double>(data_.gravity.data(), 3));
+  flows_.gravity_changes = archive.read_number("dynamics/gravity_changes");
   archive.read("dynamics/impulse/initial", std::span<double>(initial_momentum_.data(), 3));
   ordering_ = data_.points.ordering();
 }

@@ -124,6 +124,12 @@ std::vector<Balance> Dynamics<Dim>::balances() const {
                   {"transfer", -flows_.transfer},
                   {"strain transfer", -flows_.strain}},
                  kinetic_ + elastic});
+  if (data_.settings.local_damping > 0.0) {
+    all.back().entries.push_back({"damping", -flows_.damping});
+  }
+  if (!data_.settings.gravity_factor.is_constant()) {
+    all.back().entries.push_back({"changes of gravity", flows_.gravity_changes});
+  }
   if (data_.free_strain) {
     all.back().entries.push_back({"expansion", flows_.expansion});
   }
@@ -145,6 +151,9 @@ std::vector<Balance> Dynamics<Dim>::balances() const {
                    now[axis],
                    {{"gravity", flows_.gravity[axis]}, {"walls", flows_.walls[axis]}},
                    total_mass_ * speed_});
+    if (data_.settings.local_damping > 0.0) {
+      all.back().entries.push_back({"damping", flows_.damped[axis]});
+    }
     if (loads_) {
       std::ranges::copy(loads_->impulse_entries(axis), std::back_inserter(all.back().entries));
     }
@@ -173,6 +182,9 @@ std::vector<std::pair<std::string, double>> Dynamics<Dim>::diagnostics() const {
                                                   {"expansion work", flows_.expansion},
                                                   {"energy gained", energy_gained()},
                                                   {"load work", loads_ ? loads_->work() : 0.0}};
+  if (data_.settings.local_damping > 0.0) {
+    all.emplace_back("damping loss", flows_.damping);
+  }
   if (obstacles_) {
     std::ranges::copy(obstacles_->diagnostics(), std::back_inserter(all));
   }

@@ -97,6 +97,7 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
       nodes(problem.grid, problem.shape, problem.settings) {
   check(settings, Dim);
   std::copy(settings.gravity.begin(), settings.gravity.end(), gravity.data());
+  gravity *= settings.gravity_factor.at(0.0);
   require(points.dimension() == Dim, "momentum of dimension ", Dim, " got points of dimension ",
           points.dimension());
   for (const DynamicsBody& body : problem.bodies) {

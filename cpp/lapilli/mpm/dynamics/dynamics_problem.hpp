@@ -25,6 +25,8 @@ struct DynamicsBody {
   std::string label = "a body";                        // in messages: "body 'sand'"
 };
 
+struct PointStart;
+
 /// Everything a momentum solver is made from.
 template <int Dim>
 struct DynamicsProblem {
@@ -33,6 +35,7 @@ struct DynamicsProblem {
   std::vector<DynamicsBody> bodies;  // by body number of the points
   DynamicsSettings settings;
   DistanceFunction distance = {};  // signed distance to the union of the bodies; may be empty
+  std::shared_ptr<const PointStart> start = {};  // null where all points start anew
 };
 
 }  // namespace lapilli

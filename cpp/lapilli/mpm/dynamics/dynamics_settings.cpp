@@ -36,6 +36,13 @@ void check_walls(const std::vector<GridBoundary>& walls, int dimension) {
 }  // namespace
 
 void check(const DynamicsSettings& settings, int dimension) {
+  require(!settings.gravity_factor.is_function(),
+          "dynamics.gravity_factor must be a number or a table in time, got a function");
+  require(!settings.gravity.empty() ||
+              (settings.gravity_factor.is_constant() && settings.gravity_factor.at(0.0) == 1.0),
+          "dynamics.gravity_factor multiplies dynamics.gravity, which is missing");
+  require(!settings.damping_until || settings.local_damping > 0.0,
+          "dynamics.damping_until ends dynamics.local_damping, which is 0");
   if (!settings.gravity.empty()) {
     check_vector(settings.gravity, dimension, "dynamics.gravity");
   }

@@ -134,6 +134,9 @@ using DynamicsBoundary = std::variant<Pressure, Traction>;
 /// without a wall are open: a point that passes one stops the run.
 struct DynamicsSettings {
   std::vector<double> gravity;  // m/s^2, one number an axis; empty: none
+  Value gravity_factor = 1.0;   // multiplies it: a number or a table in time
+  double local_damping = 0.0;   // share of the force out of balance, against the velocity
+  std::optional<double> damping_until;  // s; to the end of the run where absent
   VelocityTransfer transfer = VelocityTransfer::blended_apic;
   double blend_rate = 4.0;     // of blended_apic, a unit of strain; at least 0
   double pic_fraction = 0.05;  // of FLIP, a step; in [0, 1]
@@ -148,6 +151,18 @@ struct DynamicsSettings {
   static void describe(Self& self, Visitor& visit) {
     visit(Key("gravity").unit("m/s^2").length(0, 3).text("one number an axis; empty: none"),
           self.gravity);
+    visit(Key("gravity_factor").text("multiplies gravity: a number or a table in time"),
+          self.gravity_factor);
+    visit(Key("local_damping")
+              .range(0.0, 0.95)
+              .text("share of the force out of balance that acts against the velocity, for a "
+                    "static start"),
+          self.local_damping);
+    visit(Key("damping_until")
+              .unit("s")
+              .non_negative()
+              .text("when local damping ends; absent: with the run"),
+          self.damping_until);
     visit(Key("transfer").text("what points and nodes hand each other"), self.transfer);
     visit(
         Key("blend_rate")

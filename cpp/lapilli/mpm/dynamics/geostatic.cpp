@@ -6,6 +6,22 @@
 
 namespace lapilli {
 
+namespace {
+
+/// The direction of gravity; zero without.
+Vec3 along(const Vec3& gravity) {
+  return gravity.norm() > 0.0 ? Vec3(gravity.normalized()) : Vec3(Vec3::Zero());
+}
+
+}  // namespace
+
+SymmetricTensor stress_under(const GeostaticStress& rest, double weight, const Vec3& gravity) {
+  const Vec3 down = along(gravity);
+  const Mat3 level = Mat3::Identity() - down * down.transpose();
+  return symmetric_part(
+      Mat3(-(weight + rest.surcharge) * (down * down.transpose() + rest.k0 * level)));
+}
+
 SymmetricTensor stress_at(const GeostaticStress& rest, const Vec3& place, const Vec3& gravity,
                           double density) {
   const auto vector = [](const std::vector<double>& numbers) {
@@ -17,7 +33,7 @@ SymmetricTensor stress_at(const GeostaticStress& rest, const Vec3& place, const 
   require(outward.norm() > 0.0, "geostatic needs gravity, or a normal with a length above 0");
   const Vec3 normal = outward.normalized();
   const double depth = std::max(0.0, (vector(rest.surface) - place).dot(normal));
-  const Vec3 traction = density * depth * gravity;
+  const Vec3 traction = density * depth * gravity + rest.surcharge * along(gravity);
   const double across = traction.dot(normal);
   const Vec3 shear = traction - across * normal;
   const Mat3 plane = Mat3::Identity() - normal * normal.transpose();

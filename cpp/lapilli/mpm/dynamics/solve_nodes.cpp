@@ -65,7 +65,9 @@ NodeSums& NodeSums::operator+=(const NodeSums& other) {
   force_work += other.force_work;
   friction += other.friction;
   impact += other.impact;
+  damping += other.damping;
   wall_impulse += other.wall_impulse;
+  damping_impulse += other.damping_impulse;
   return *this;
 }
 

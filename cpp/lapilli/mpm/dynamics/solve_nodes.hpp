@@ -11,7 +11,9 @@ struct NodeSums {
   double force_work = 0.0;           // J done by the nodal forces, walls and gravity left out
   double friction = 0.0;             // J done by walls along themselves (negative)
   double impact = 0.0;               // J done by walls across themselves
+  double damping = 0.0;              // J done by local damping (negative)
   Vec3 wall_impulse = Vec3::Zero();  // N s given by walls
+  Vec3 damping_impulse = Vec3::Zero();
 
   NodeSums& operator+=(const NodeSums& other);
 };
