@@ -61,7 +61,9 @@ EFFECTS: dict[str, Effect] = {
     "Body.source": Effect(D, "bodies[0].source", 0.0, 3.0, mean("temperature"), ">"),
     "Body.velocity": Effect(F, "bodies[0].velocity", (0.5, -1), (-0.5, -1), centre(0), "<"),
     "Body.spin": Effect(F, "bodies[0].spin", 1.0, 2.0, VELOCITY, "!="),
-    "Body.spin_center": Effect(v.spinning_block, "bodies[0].spin_center", (1.5, 0.5), (0, 0), centre(1), ">"),
+    "Body.spin_center": Effect(
+        v.spinning_block, "bodies[0].spin_center", (1.5, 0.5), (0, 0), centre(1), ">"
+    ),
     # materials
     "Thermal.density": Effect(
         v.flux_disk, "bodies[0].material.density", 1, 2, mean("temperature"), "<"

@@ -1,5 +1,6 @@
 #include "lapilli/mpm/dynamics/damp_nodes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lapilli/core/parallel.hpp"
@@ -10,6 +11,7 @@ template <int Dim>
 void damp_nodes(DynamicsData<Dim>& data, double share, double step, NodeSums& total) {
   const Index first = data.nodes.first(), count = data.nodes.last() - first;
   const double* mass = data.nodes.mass();
+  const Vec<Dim> gravity = data.gravity.template head<Dim>();
   const bool limits = data.nodes.limits_strain();
   std::vector<NodeSums> partial(static_cast<std::size_t>((count + piece_rows - 1) / piece_rows));
   parallel_ranges(count, [&](Index begin, Index end) {
@@ -18,24 +20,29 @@ void damp_nodes(DynamicsData<Dim>& data, double share, double step, NodeSums& to
       if (!(mass[node] > data.empty_node)) {
         continue;
       }
+      Vec<Dim> after, change;
       for (int axis = 0; axis < Dim; ++axis) {
-        const double after = data.nodes.velocity(axis)[node];
-        const double change = data.nodes.increment(axis)[node];
-        const double before = after - change;
-        if (before == 0.0) {
-          continue;
-        }
-        const double damping = -share * std::copysign(std::abs(change), before);
-        const double internal = change - step * data.gravity[axis];
-        const double held = after + damping;
-        sums.force_work += 0.5 * mass[node] * internal * damping;
-        sums.kinetic_after += 0.5 * mass[node] * (held * held - after * after);
-        sums.damping += 0.5 * mass[node] * damping * (held + before);
-        sums.damping_impulse[axis] += mass[node] * damping;
-        data.nodes.velocity(axis)[node] = held;
-        data.nodes.increment(axis)[node] = change + damping;
+        after[axis] = data.nodes.velocity(axis)[node];
+        change[axis] = data.nodes.increment(axis)[node];
+      }
+      // Against the mean velocity of the step, and no more than halts it: it never drives.
+      const Vec<Dim> middle = after - 0.5 * change;
+      const double speed = middle.norm();
+      if (!(speed > 0.0)) {
+        continue;
+      }
+      const Vec<Dim> damping = -std::min(share * change.norm() / speed, 1.0) * middle;
+      const Vec<Dim> held = after + damping;
+      const Vec<Dim> force = mass[node] * (change - step * gravity);
+      sums.force_work += 0.5 * force.dot(damping);
+      sums.kinetic_after += 0.5 * mass[node] * (held.squaredNorm() - after.squaredNorm());
+      sums.damping += mass[node] * damping.dot(middle + 0.5 * damping);
+      for (int axis = 0; axis < Dim; ++axis) {
+        sums.damping_impulse[axis] += mass[node] * damping[axis];
+        data.nodes.velocity(axis)[node] = held[axis];
+        data.nodes.increment(axis)[node] = change[axis] + damping[axis];
         if (limits) {
-          data.nodes.strain_velocity(axis)[node] += damping;
+          data.nodes.strain_velocity(axis)[node] += damping[axis];
         }
       }
     }

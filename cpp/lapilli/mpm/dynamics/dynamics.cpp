@@ -116,16 +116,11 @@ void Dynamics<Dim>::turn_gravity(const Step& step) {
   flows_.gravity_changes += potential_energy() - before;
 }
 
-/// Forces, damping, then other bodies, then obstacles, then walls, which have the last word at the nodes
-/// they share.
+/// Forces, then other bodies, then obstacles, then walls, which have the last word at the nodes
+/// they share; damping takes from what all of them leave.
 template <int Dim>
 NodeSums Dynamics<Dim>::solve_nodes(const Step& step) {
   NodeSums sums = accelerate_nodes(data_, step.size);
-  const DynamicsSettings& settings = data_.settings;
-  if (settings.local_damping > 0.0 &&
-      !(settings.damping_until && step.time >= *settings.damping_until)) {
-    damp_nodes(data_, settings.local_damping, step.size, sums);
-  }
   if (contacts_) {
     contacts_->push(data_, step.size, sums);
   }
@@ -133,6 +128,11 @@ NodeSums Dynamics<Dim>::solve_nodes(const Step& step) {
     obstacles_->push(data_, step, speed_, sums);
   }
   hold_nodes(data_, step.size, sums);
+  const DynamicsSettings& settings = data_.settings;
+  if (settings.local_damping > 0.0 &&
+      !(settings.damping_until && step.time >= *settings.damping_until)) {
+    damp_nodes(data_, settings.local_damping, step.size, sums);
+  }
   if (data_.nodes.fades()) {
     blend_nodes(data_, step.size);
   }
