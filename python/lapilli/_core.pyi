@@ -2384,6 +2384,12 @@ class Dynamics:
     ----------
     gravity : collections.abc.Sequence[float], m/s^2, default ()
         one number an axis; empty: none
+    gravity_factor : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], default 1.0
+        multiplies gravity: a number or a table in time
+    local_damping : float, default 0.0
+        share of the force out of balance that acts against the velocity, for a static start; from 0 to 0.95
+    damping_until : float | None, s, default None
+        when local damping ends; absent: with the run; at least 0 (s)
     transfer : typing.Literal['blended_apic', 'flip', 'apic', 'tpic'], default 'blended_apic'
         what points and nodes hand each other
     blend_rate : float, default 4.0
@@ -2409,7 +2415,7 @@ class Dynamics:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., transfer: typing.Literal['blended_apic', 'flip', 'apic', 'tpic'] = ..., blend_rate: float = ..., pic_fraction: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., courant: float = ..., grid_boundaries: list[NoSlipBoundary | RollerBoundary | FrictionalBoundary] = ..., obstacles: list[Obstacle] = ..., contacts: list[BodyContact] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
+    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., gravity_factor: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., local_damping: float = ..., damping_until: float | None = ..., transfer: typing.Literal['blended_apic', 'flip', 'apic', 'tpic'] = ..., blend_rate: float = ..., pic_fraction: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., courant: float = ..., grid_boundaries: list[NoSlipBoundary | RollerBoundary | FrictionalBoundary] = ..., obstacles: list[Obstacle] = ..., contacts: list[BodyContact] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -2450,6 +2456,14 @@ class Dynamics:
     def courant(self, value: float) -> None:
         ...
     @property
+    def damping_until(self) -> float | None:
+        """
+        when local damping ends; absent: with the run, s
+        """
+    @damping_until.setter
+    def damping_until(self, value: float | None) -> None:
+        ...
+    @property
     def gravity(self) -> collections.abc.Sequence[float]:
         """
         one number an axis; empty: none, m/s^2
@@ -2458,12 +2472,28 @@ class Dynamics:
     def gravity(self, value: collections.abc.Sequence[float]) -> None:
         ...
     @property
+    def gravity_factor(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
+        """
+        multiplies gravity: a number or a table in time
+        """
+    @gravity_factor.setter
+    def gravity_factor(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
     def grid_boundaries(self) -> list[NoSlipBoundary | RollerBoundary | FrictionalBoundary]:
         """
         faces of the grid that hold the material; others are open
         """
     @grid_boundaries.setter
     def grid_boundaries(self, value: list[NoSlipBoundary | RollerBoundary | FrictionalBoundary]) -> None:
+        ...
+    @property
+    def local_damping(self) -> float:
+        """
+        share of the force out of balance that acts against the velocity, for a static start
+        """
+    @local_damping.setter
+    def local_damping(self, value: float) -> None:
         ...
     @property
     def obstacles(self) -> list[Obstacle]:
@@ -3058,12 +3088,14 @@ class Geostatic:
     
     Parameters
     ----------
-    surface : collections.abc.Sequence[float], m, required
-        a place on the free surface
+    surface : collections.abc.Sequence[float], m, default ()
+        a place on an even free surface; empty: the weight of all bodies above, level by level
     normal : collections.abc.Sequence[float], default ()
         outward normal of the surface; empty: against gravity
     k0 : float, default 0.5
         stress along the surface over the one across it; at least 0
+    surcharge : float, Pa, default 0.0
+        load on the surface that the stress at the start bears too; at least 0 (Pa)
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
     __signature__: typing.ClassVar[inspect.Signature]
@@ -3071,7 +3103,7 @@ class Geostatic:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, surface: collections.abc.Sequence[float], normal: collections.abc.Sequence[float] = ..., k0: float = ...) -> None:
+    def __init__(self, *, surface: collections.abc.Sequence[float] = ..., normal: collections.abc.Sequence[float] = ..., k0: float = ..., surcharge: float = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -3096,9 +3128,17 @@ class Geostatic:
     def normal(self, value: collections.abc.Sequence[float]) -> None:
         ...
     @property
+    def surcharge(self) -> float:
+        """
+        load on the surface that the stress at the start bears too, Pa
+        """
+    @surcharge.setter
+    def surcharge(self, value: float) -> None:
+        ...
+    @property
     def surface(self) -> collections.abc.Sequence[float]:
         """
-        a place on the free surface, m
+        a place on an even free surface; empty: the weight of all bodies above, level by level, m
         """
     @surface.setter
     def surface(self, value: collections.abc.Sequence[float]) -> None:
@@ -3143,6 +3183,10 @@ class Body:
         heat released in its volume
     velocity : collections.abc.Sequence[float], m/s, default ()
         velocity at the start
+    spin : collections.abc.Sequence[float], rad/s, default ()
+        angular velocity at the start, counter-clockwise: a number, or x, y, z in space
+    spin_center : collections.abc.Sequence[float], m, default ()
+        place about which it spins; empty: the centre of its volume
     geostatic : Geostatic | None, default None
         stress at the start, of a body at rest; absent: none
     motion : Rotation | Translation | Swirl | None, default None
@@ -3154,7 +3198,7 @@ class Body:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., fill: typing.Literal['exact', 'lattice'] | None | str = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Newtonian | ThermalExpansion | PlasticHeating | Elastic | MohrCoulomb | DruckerPrager | VonMises | TabulatedMohrCoulomb | FunctionSolid], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., geostatic: Geostatic | None = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
+    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., fill: typing.Literal['exact', 'lattice'] | None | str = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Newtonian | ThermalExpansion | PlasticHeating | Elastic | MohrCoulomb | DruckerPrager | VonMises | TabulatedMohrCoulomb | FunctionSolid], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., spin: collections.abc.Sequence[float] = ..., spin_center: collections.abc.Sequence[float] = ..., geostatic: Geostatic | None = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -3289,6 +3333,22 @@ class Body:
         """
     @source.setter
     def source(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
+        ...
+    @property
+    def spin(self) -> collections.abc.Sequence[float]:
+        """
+        angular velocity at the start, counter-clockwise: a number, or x, y, z in space, rad/s
+        """
+    @spin.setter
+    def spin(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def spin_center(self) -> collections.abc.Sequence[float]:
+        """
+        place about which it spins; empty: the centre of its volume, m
+        """
+    @spin_center.setter
+    def spin_center(self, value: collections.abc.Sequence[float]) -> None:
         ...
     @property
     def temperature(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]:
@@ -4042,6 +4102,8 @@ class Scene:
         what the scene shows
     grid : Grid, required
         background grid
+    initial_state : str, default ''
+        checkpoint of another run with [dynamics]: bodies of the same name go on from there, with the loads and materials of this scene
     bodies : list[Body], required
         bodies
     heat : Heat | None, default None
@@ -4075,7 +4137,7 @@ class Scene:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, title: str = ..., grid: Grid, bodies: list[Body], heat: Heat | None = ..., dynamics: Dynamics | None = ..., quasi_static: QuasiStatic | None = ..., peridynamics: Peridynamics | None = ..., time: Time, output: Output = ..., probes: list[Probe] = ...) -> None:
+    def __init__(self, *, title: str = ..., grid: Grid, initial_state: str = ..., bodies: list[Body], heat: Heat | None = ..., dynamics: Dynamics | None = ..., quasi_static: QuasiStatic | None = ..., peridynamics: Peridynamics | None = ..., time: Time, output: Output = ..., probes: list[Probe] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -4130,6 +4192,14 @@ class Scene:
         """
     @heat.setter
     def heat(self, value: Heat | None) -> None:
+        ...
+    @property
+    def initial_state(self) -> str:
+        """
+        checkpoint of another run with [dynamics]: bodies of the same name go on from there, with the loads and materials of this scene
+        """
+    @initial_state.setter
+    def initial_state(self, value: str) -> None:
         ...
     @property
     def output(self) -> Output:

@@ -54,9 +54,9 @@ struct Body {
   std::vector<double> rotation_axis = {0, 0, 1};  // three dimensions only
   std::vector<double> translation;                // m, after the rotation; empty: none
   std::vector<Material> material;
-  Value temperature = 0.0;       // K, at the start
-  Value source = 0.0;            // W/m^3, heat released
-  std::vector<double> velocity;  // m/s, at the start; empty: at rest
+  Value temperature = 0.0;                // K, at the start
+  Value source = 0.0;                     // W/m^3, heat released
+  std::vector<double> velocity;           // m/s, at the start; empty: at rest
   std::vector<double> spin, spin_center;  // rad/s; m
   std::optional<GeostaticStress> geostatic;
   std::optional<Motion> motion;
@@ -102,8 +102,10 @@ struct Body {
     visit(Key("spin").unit("rad/s").one_or_many().length(0, 3).text(
               "angular velocity at the start, counter-clockwise: a number, or x, y, z in space"),
           self.spin);
-    visit(Key("spin_center").unit("m").length(0, 3).text(
-              "place about which it spins; empty: the centre of its volume"),
+    visit(Key("spin_center")
+              .unit("m")
+              .length(0, 3)
+              .text("place about which it spins; empty: the centre of its volume"),
           self.spin_center);
     visit(Key("geostatic").text("stress at the start, of a body at rest; absent: none"),
           self.geostatic);

@@ -162,7 +162,10 @@ std::unique_ptr<Dynamics<Dim>> dynamics_of(const Scene& scene, const Grid<Dim>& 
                                            const std::optional<InitialState>& initial,
                                            Points& points) {
   DynamicsProblem<Dim> problem{
-      grid, scene.grid.shape_function, {}, *scene.dynamics,
+      grid,
+      scene.grid.shape_function,
+      {},
+      *scene.dynamics,
       initial ? DistanceFunction() : distance_of(scene)};  // bodies that go on have moved
   const StressAtStart stress(scene);
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {

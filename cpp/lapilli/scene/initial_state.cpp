@@ -36,8 +36,8 @@ InitialState::InitialState(const Scene& scene)
   state_ = std::move(checkpoint.state);
   const auto settings = settings_in(checkpoint.identity);
   const auto transfer = settings.find("dynamics.transfer");
-  same_transfer_ = transfer != settings.end() &&
-                   transfer->second == name_of(scene.dynamics->transfer);
+  same_transfer_ =
+      transfer != settings.end() && transfer->second == name_of(scene.dynamics->transfer);
 
   const std::vector<Index> ids = state_.read_indices("points/id");
   const std::vector<Index> bodies = state_.read_indices("points/body");

@@ -60,8 +60,8 @@ class Dynamics final : public Physics,
   /// Everything that has passed through an account since the start.
   struct Flows {
     double plastic = 0.0, friction = 0.0, impact = 0.0, transfer = 0.0;  // J, taken out
-    double strain = 0.0;     // J, taken from the nodes and not given to the points
-    double expansion = 0.0;  // J, given by free strain
+    double strain = 0.0;           // J, taken from the nodes and not given to the points
+    double expansion = 0.0;        // J, given by free strain
     double damping = 0.0;          // J, by local damping
     double gravity_changes = 0.0;  // J, given by a gravity that varies in time
     Vec3 gravity = Vec3::Zero(), walls = Vec3::Zero(), damped = Vec3::Zero();  // N s, given

@@ -133,9 +133,9 @@ using DynamicsBoundary = std::variant<Pressure, Traction>;
 /// Explicit dynamics on material points: the section [dynamics] of a scene. Faces of the grid
 /// without a wall are open: a point that passes one stops the run.
 struct DynamicsSettings {
-  std::vector<double> gravity;  // m/s^2, one number an axis; empty: none
-  Value gravity_factor = 1.0;   // multiplies it: a number or a table in time
-  double local_damping = 0.0;   // share of the force out of balance, against the velocity
+  std::vector<double> gravity;          // m/s^2, one number an axis; empty: none
+  Value gravity_factor = 1.0;           // multiplies it: a number or a table in time
+  double local_damping = 0.0;           // share of the force out of balance, against the velocity
   std::optional<double> damping_until;  // s; to the end of the run where absent
   VelocityTransfer transfer = VelocityTransfer::blended_apic;
   double blend_rate = 4.0;     // of blended_apic, a unit of strain; at least 0

@@ -26,8 +26,10 @@ struct GeostaticStress {
           self.normal);
     visit(Key("k0").non_negative().text("stress along the surface over the one across it"),
           self.k0);
-    visit(Key("surcharge").unit("Pa").non_negative().text(
-              "load on the surface that the stress at the start bears too"),
+    visit(Key("surcharge")
+              .unit("Pa")
+              .non_negative()
+              .text("load on the surface that the stress at the start bears too"),
           self.surcharge);
   }
 };

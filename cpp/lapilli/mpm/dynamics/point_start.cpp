@@ -14,8 +14,10 @@ void PointStart::apply(DynamicsData<Dim>& data) const {
     for (Index here = 0; here < data.points.size(); ++here) {
       const Index there = row[data.points.id()[here]];
       if (there >= 0) {
-        require((there + 1) * width <= static_cast<Index>(from.size()), "the state to start from "
-                "holds ", name, " of another dimension");
+        require((there + 1) * width <= static_cast<Index>(from.size()),
+                "the state to start from "
+                "holds ",
+                name, " of another dimension");
         std::copy_n(from.begin() + there * width, width, into.data() + here * width);
       }
     }
