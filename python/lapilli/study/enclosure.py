@@ -163,7 +163,7 @@ def coefficients(scene: Scene) -> tuple[float, float, float]:
     given = scene.bodies[0].material
     materials = given if isinstance(given, list) else [given]
     thermal = next(one for one in materials if isinstance(one, lp.Thermal))
-    diffusivity = number(thermal.conductivity) / (thermal.density * thermal.specific_heat)
+    diffusivity = number(thermal.conductivity) / (thermal.density * number(thermal.specific_heat))
     fluids = [one for one in materials if isinstance(one, lp.Newtonian)]
     flow = flow_of(scene)
     if not fluids or flow is None:

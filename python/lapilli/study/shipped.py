@@ -199,9 +199,11 @@ def medium_of(body: Body) -> Any:
 
     materials = body.material if isinstance(body.material, list) else [body.material]
     thermal = next(material for material in materials if isinstance(material, lp.Thermal))
+    if thermal.latent_heat > 0:
+        raise ValueError("shipped references know no melting")
     return Medium(
         density=thermal.density,
-        specific_heat=thermal.specific_heat,
+        specific_heat=number(thermal.specific_heat, "specific_heat"),
         conductivity=number(thermal.conductivity, "conductivity"),
     )
 

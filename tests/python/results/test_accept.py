@@ -93,7 +93,8 @@ def test_units_of_keys_are_found() -> None:
     assert _unit(lp.Body, "name") == _unit(lp.Elastic, "poissons_ratio") == ""
     known = {
         "", "1/K", "1/s", "J/(kg K)", "J/kg", "K", "N/m^3", "Pa s", "Pa", "W/(m K)", "W/(m^2 K)",
-        "W/(m^2 K^4)", "W/m^2", "W/m^3", "cells", "degree", "kg/m^3", "m", "m/s", "m/s^2", "rad/s", "s",
+        "W/(m^2 K^4)", "W/m^2", "W/m^3", "cells", "degree", "kg/m^3", "m", "m/s", "m/s^2", "s",
+        "rad/s",
     }  # fmt: skip
     for made in vars(_core).values():
         if hasattr(made, "__signature__"):
