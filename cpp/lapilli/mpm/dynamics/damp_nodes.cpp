@@ -8,10 +8,9 @@
 namespace lapilli {
 
 template <int Dim>
-void damp_nodes(DynamicsData<Dim>& data, double share, double step, NodeSums& total) {
+void damp_nodes(DynamicsData<Dim>& data, double share, NodeSums& total) {
   const Index first = data.nodes.first(), count = data.nodes.last() - first;
   const double* mass = data.nodes.mass();
-  const Vec<Dim> gravity = data.gravity.template head<Dim>();
   const bool limits = data.nodes.limits_strain();
   std::vector<NodeSums> partial(static_cast<std::size_t>((count + piece_rows - 1) / piece_rows));
   parallel_ranges(count, [&](Index begin, Index end) {
@@ -20,10 +19,11 @@ void damp_nodes(DynamicsData<Dim>& data, double share, double step, NodeSums& to
       if (!(mass[node] > data.empty_node)) {
         continue;
       }
-      Vec<Dim> after, change;
+      Vec<Dim> after, change, internal;
       for (int axis = 0; axis < Dim; ++axis) {
         after[axis] = data.nodes.velocity(axis)[node];
         change[axis] = data.nodes.increment(axis)[node];
+        internal[axis] = data.nodes.internal(axis)[node];
       }
       // Against the mean velocity of the step, and no more than halts it: it never drives.
       const Vec<Dim> middle = after - 0.5 * change;
@@ -33,8 +33,7 @@ void damp_nodes(DynamicsData<Dim>& data, double share, double step, NodeSums& to
       }
       const Vec<Dim> damping = -std::min(share * change.norm() / speed, 1.0) * middle;
       const Vec<Dim> held = after + damping;
-      const Vec<Dim> force = mass[node] * (change - step * gravity);
-      sums.force_work += 0.5 * force.dot(damping);
+      sums.force_work += 0.5 * mass[node] * internal.dot(damping);
       sums.kinetic_after += 0.5 * mass[node] * (held.squaredNorm() - after.squaredNorm());
       sums.damping += mass[node] * damping.dot(middle + 0.5 * damping);
       for (int axis = 0; axis < Dim; ++axis) {
@@ -52,7 +51,7 @@ void damp_nodes(DynamicsData<Dim>& data, double share, double step, NodeSums& to
   }
 }
 
-template void damp_nodes<2>(DynamicsData<2>&, double, double, NodeSums&);
-template void damp_nodes<3>(DynamicsData<3>&, double, double, NodeSums&);
+template void damp_nodes<2>(DynamicsData<2>&, double, NodeSums&);
+template void damp_nodes<3>(DynamicsData<3>&, double, NodeSums&);
 
 }  // namespace lapilli

@@ -8,6 +8,6 @@ namespace lapilli {
 /// out of balance acts against the velocity, as far as that takes energy. It belongs to the force,
 /// not to the number of steps, and vanishes in equilibrium.
 template <int Dim>
-void damp_nodes(DynamicsData<Dim>& data, double share, double step, NodeSums& sums);
+void damp_nodes(DynamicsData<Dim>& data, double share, NodeSums& sums);
 
 }  // namespace lapilli

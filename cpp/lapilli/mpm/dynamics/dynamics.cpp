@@ -131,7 +131,7 @@ NodeSums Dynamics<Dim>::solve_nodes(const Step& step) {
   const DynamicsSettings& settings = data_.settings;
   if (settings.local_damping > 0.0 &&
       !(settings.damping_until && step.time >= *settings.damping_until)) {
-    damp_nodes(data_, settings.local_damping, step.size, sums);
+    damp_nodes(data_, settings.local_damping, sums);
   }
   if (data_.nodes.fades()) {
     blend_nodes(data_, step.size);
@@ -190,7 +190,8 @@ void Dynamics<Dim>::stop_if_broken(const PointSums& sums) const {
 template <int Dim>
 double Dynamics<Dim>::energy_gained() const {
   const double contact = contacts_ ? contacts_->friction() + contacts_->impact() : 0.0;
-  return contact - (flows_.transfer + flows_.strain + flows_.friction + flows_.impact + ahead_);
+  return contact - (flows_.transfer + flows_.strain + flows_.friction + flows_.impact +
+                    flows_.damping + ahead_);
 }
 
 template <int Dim>

@@ -13,12 +13,14 @@ DynamicsNodes<Dim>::DynamicsNodes(const Grid<Dim>& grid, ShapeFunction shape,
                                   const DynamicsSettings& settings)
     : limits_strain_(shape == ShapeFunction::linear),
       fades_(settings.transfer == VelocityTransfer::blended_apic),
+      damps_(settings.local_damping > 0.0),
       size_(grid.node_count() + 4),
       layer_(grid.node_stride(Dim - 1)) {
   const int always = 1 + (settings.stress_update == StressUpdate::musl ? 3 : 2) * Dim;
   limited_ = limits_strain_ ? always : 1;
   faded_ = always + (limits_strain_ ? Dim : 0);
-  arrays_ = faded_ + (fades_ ? Dim + 1 : 0);
+  damped_ = faded_ + (fades_ ? Dim + 1 : 0);
+  arrays_ = damped_ + (damps_ ? Dim : 0);
   values_.assign(static_cast<std::size_t>(size_ * arrays_), 0.0);
 }
 

@@ -29,6 +29,8 @@ class DynamicsNodes {
   bool limits_strain() const { return limits_strain_; }
   /// Whether points forget at a rate of the nodes.
   bool fades() const { return fades_; }
+  /// Whether local damping may act, which asks what of an increment is the internal force.
+  bool damps() const { return damps_; }
 
   double* mass() { return array(0); }
   double* velocity(int axis) { return array(1 + axis); }
@@ -37,6 +39,7 @@ class DynamicsNodes {
   double* second_velocity(int axis) { return array(1 + 2 * Dim + axis); }  // MUSL only
   double* gain(int axis) { return array(faded_ + axis); }                  // blended_apic only
   double* fade() { return array(faded_ + Dim); }                           // blended_apic only
+  double* internal(int axis) { return array(damped_ + axis); }  // m/s a step; local damping only
   const double* mass() const { return array(0); }
   const double* velocity(int axis) const { return array(1 + axis); }
   const double* increment(int axis) const { return array(1 + Dim + axis); }
@@ -57,10 +60,11 @@ class DynamicsNodes {
   double* array(int which) { return values_.data() + which * size_; }
   const double* array(int which) const { return values_.data() + which * size_; }
 
-  bool limits_strain_, fades_;
+  bool limits_strain_, fades_, damps_;
   int arrays_;
   int limited_;  // first array of the strain velocity
   int faded_;    // first array of the gain
+  int damped_;   // first array of the internal increment
   Index size_;   // of one array, with room for a quad past the last node
   Index layer_;  // nodes in one layer across the slowest axis
   Index first_ = 0, last_ = 0;

@@ -75,7 +75,7 @@ template <int Dim>
 NodeSums accelerate_nodes(DynamicsData<Dim>& data, double step) {
   const double floor = data.empty_node;
   const double light = light_share * full_cell(data);
-  const bool limits = data.nodes.limits_strain();
+  const bool limits = data.nodes.limits_strain(), damps = data.nodes.damps();
   const double* mass = data.nodes.mass();
   const Index first = data.nodes.first(), count = data.nodes.last() - first;
   std::vector<NodeSums> partial(static_cast<std::size_t>((count + piece_rows - 1) / piece_rows));
@@ -85,6 +85,7 @@ NodeSums accelerate_nodes(DynamicsData<Dim>& data, double step) {
       double* velocity = data.nodes.velocity(axis) + first;
       double* increment = data.nodes.increment(axis) + first;
       double* strain_velocity = data.nodes.strain_velocity(axis) + first;
+      double* kept = damps ? data.nodes.internal(axis) + first : nullptr;
       const double* m = mass + first;
       const double gravity = data.gravity[axis];
       double before = 0.0, after = 0.0, work = 0.0;
@@ -99,6 +100,9 @@ NodeSums accelerate_nodes(DynamicsData<Dim>& data, double step) {
           work += m[node] * internal * (old + 0.5 * change);
           velocity[node] = old + change;
           increment[node] = change;
+          if (damps) {
+            kept[node] = internal;
+          }
           if (limits) {
             strain_velocity[node] =
                 old + step * gravity + internal * std::min(1.0, m[node] / light);
