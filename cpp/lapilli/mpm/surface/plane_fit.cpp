@@ -145,11 +145,16 @@ class Fitter {
   }
 
   /// A curved surface must leave a cube where its neighbour takes it over. A cube whose corners lie
-  /// on one side has none of it; in the plane the rest is a chord between the cube's edges.
+  /// on one side, or on the surface that only touches it there, has none of it; in the plane the
+  /// rest is a chord between the cube's edges.
   void follow_curve(Fit& found) const {
-    const bool inside = depth_[1] <= 0.0;
-    if (std::all_of(depth_.begin() + 1, depth_.end(),
-                    [&](double d) { return (d <= 0.0) == inside; })) {
+    const double touching = 1e-9 * cube_.side;
+    const auto corners_beyond = [&](double sign) {
+      return std::any_of(depth_.begin() + 1, depth_.end(),
+                         [&](double d) { return sign * d > touching; });
+    };
+    const bool inside = corners_beyond(-1.0);
+    if (!(inside && corners_beyond(1.0))) {
       found.state = inside ? Fit::State::full : Fit::State::empty;
       found.planes.clear();
       return;
