@@ -35,7 +35,8 @@ class Quadric {
     // Measured from minus the least square, so that no digits are lost near it. 1 / sqrt(S) is
     // nearly straight and concave: Newton's steps from below stay below and are few.
     const Vec<Dim> beyond_least = squares.array() - squares[shortest_];
-    double above = half_[shortest_] * std::abs(y[shortest_]);
+    // No term of S may be above 1; two axes may be the shortest.
+    double above = std::max(0.0, (half_.cwiseProduct(y.cwiseAbs()) - beyond_least).maxCoeff());
     for (int step = 0; step < 60; ++step) {
       double sum = 0.0, slope = 0.0;
       for (int axis = 0; axis < Dim; ++axis) {

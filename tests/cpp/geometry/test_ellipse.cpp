@@ -47,6 +47,9 @@ TEST_CASE("distances hold on axes, in the middle and for circles") {
   REQUIRE(ellipse.distance(Vec3(1, 0, 0)) == Approx(-std::hypot(1.0 / 8, std::sqrt(1 - 9.0 / 64))));
   const Ellipse tall{{0, 0}, {1.0, 3.0}};
   REQUIRE(tall.distance(Vec3(0, 1, 0)) == Approx(ellipse.distance(Vec3(1, 0, 0))));
+  const Ellipse circle{{0, 0}, {2.0, 2.0}};
+  REQUIRE(circle.distance(Vec3(0, 3, 0)) == Approx(1.0));
+  REQUIRE(circle.distance(Vec3(-1, 0, 0)) == Approx(-1.0));
   const Ellipsoid ball{{0, 0, 0}, {2.0, 2.0, 2.0}};
   REQUIRE(ball.distance(Vec3(0, 0, 0)) == Approx(-2.0));
   const Ellipsoid egg{{0, 0, 0}, {3.0, 2.0, 1.0}};

@@ -40,6 +40,8 @@ class Fitter {
         sample_[k][axis] += (((k - 1) >> axis) & 1) * cube_.side;
       }
       depth_[k] = distance_at(sample_[k]);
+      // On the surface but for rounding: on the same side in all cubes that share the corner.
+      depth_[k] = std::abs(depth_[k]) < touching * cube_.side ? 0.0 : depth_[k];
     }
     add_plane_near(sample_[0], found.planes);
     double bend = 0.0;
@@ -85,6 +87,7 @@ class Fitter {
 
  private:
   static constexpr int samples = 1 + (1 << Dim);
+  static constexpr double touching = 1e-9;  // of the side
 
   double distance_at(const Vec<Dim>& x) const { return distance(shape_, in_space<Dim>(x)); }
   Vec<Dim> normal_at(const Vec<Dim>& x) const {
@@ -148,10 +151,9 @@ class Fitter {
   /// on one side, or on the surface that only touches it there, has none of it; in the plane the
   /// rest is a chord between the cube's edges.
   void follow_curve(Fit& found) const {
-    const double touching = 1e-9 * cube_.side;
     const auto corners_beyond = [&](double sign) {
       return std::any_of(depth_.begin() + 1, depth_.end(),
-                         [&](double d) { return sign * d > touching; });
+                         [&](double d) { return sign * d > 0.0; });
     };
     const bool inside = corners_beyond(-1.0);
     if (!(inside && corners_beyond(1.0))) {
@@ -183,6 +185,9 @@ class Fitter {
   }
 
   Vec<Dim> crossing(int a, int b) const {
+    if (depth_[a] == 0.0 || depth_[b] == 0.0) {
+      return sample_[depth_[a] == 0.0 ? a : b];
+    }
     const Vec<Dim> along = sample_[b] - sample_[a];
     double low = 0.0, high = 1.0, at_low = depth_[a], at_high = depth_[b], share = 0.5;
     for (int round = 0; round < 60 && high - low > 1e-15 && at_low != at_high; ++round) {
