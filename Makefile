@@ -58,13 +58,9 @@ test: build  ## every test that is not slow (ctest, then pytest)
 	pytest -m 'not slow' -n $(JOBS) || failed=1; \
 	exit $$failed
 
-verify: build lint tidy  ## slow tests, torture, sanitizers, fuzzers, every case of the papers
+verify: build  ## lint, tidy, slow tests, torture, sanitizers, fuzzers, every case of the papers
 	@tools/system_packages.sh clang-14 libomp-14-dev libclang-rt-14-dev llvm-14
-	@for tests in $(BUILD)/tests/cpp/test_*; do "$$tests" '[slow]' || exit 1; done
-	@pytest -m slow
-	@python tools/torture.py
-	@python tools/sanitize.py --jobs $(JOBS)
-	@lapilli reproduce
+	@python tools/verify.py --jobs $(JOBS)
 
 bench: build  ## throughput, and error against cost: the tables of the README
 	@tools/system_packages.sh libbenchmark-dev
