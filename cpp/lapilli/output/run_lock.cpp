@@ -1,17 +1,23 @@
 #include "lapilli/output/run_lock.hpp"
 
 #include <fcntl.h>
+#include <pthread.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <mutex>
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <thread>
+#include <vector>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/output/file.hpp"
@@ -27,6 +33,28 @@ struct Owner {
   long process = 0;
   std::string host, start;
 };
+
+/// The lock files that this process has open. A forked process would share the locks and keep them
+/// beyond the end of its parent: it closes its copies.
+struct OpenLocks {
+  std::mutex busy;
+  std::vector<int> files;
+};
+
+OpenLocks& open_locks() {
+  static OpenLocks* const all = [] {
+    pthread_atfork([] { open_locks().busy.lock(); }, [] { open_locks().busy.unlock(); },
+                   [] {
+                     for (const int file : open_locks().files) {
+                       ::close(file);
+                     }
+                     open_locks().files.clear();
+                     open_locks().busy.unlock();
+                   });
+    return new OpenLocks;
+  }();
+  return *all;
+}
 
 [[noreturn]] void fail(const std::filesystem::path& path) {
   const int reason = errno;
@@ -54,10 +82,11 @@ Owner owner_of(int file) {
   return owner;
 }
 
-/// A lock outlives its process where a forked child still holds it.
+/// Whether the text is of a process before the one that holds the lock, or of none.
 bool is_dead(const Owner& owner) {
-  return owner.host == host_name() && owner.process > 0 &&
-         ::kill(static_cast<pid_t>(owner.process), 0) != 0 && errno == ESRCH;
+  return owner.process <= 0 ||
+         (owner.host == host_name() && ::kill(static_cast<pid_t>(owner.process), 0) != 0 &&
+          errno == ESRCH);
 }
 
 bool is_still_there(int file, const std::filesystem::path& path) {
@@ -66,7 +95,8 @@ bool is_still_there(int file, const std::filesystem::path& path) {
          open.st_ino == named.st_ino && open.st_dev == named.st_dev;
 }
 
-/// Open the file and lock it. Returns -1 to try again: its former owner has just taken it away.
+/// Open the file and lock it. Returns -1 to try again: its former owner has just taken it away, or
+/// its new one has yet to write its name. A file whose lock another holds is never removed.
 int open_and_lock(const std::filesystem::path& path) {
   const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (file < 0) {
@@ -88,7 +118,6 @@ int open_and_lock(const std::filesystem::path& path) {
   const Owner owner = owner_of(file);
   ::close(file);
   if (is_dead(owner)) {
-    ::unlink(path.c_str());
     return -1;
   }
   throw OutputError(message("another run writes this output: process ", owner.process, " on ",
@@ -98,28 +127,45 @@ int open_and_lock(const std::filesystem::path& path) {
 
 }  // namespace
 
-RunLock::RunLock(const std::filesystem::path& output) : path_(with_ending(output, ".lock")) {
-  for (int tries = 0; descriptor_ < 0; ++tries) {
+RunLock::RunLock(const std::filesystem::path& output)
+    : path_(with_ending(output, ".lock")), process_(::getpid()) {
+  for (int tries = 0; !take(); ++tries) {
     require(tries < 1000, "cannot lock '", path_.string(), "': others come and go");
-    descriptor_ = open_and_lock(path_);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   const std::string text =
-      message(title, "\nprocess ", ::getpid(), "\nhost ", host_name(), "\nsince ", utc_now(), "\n");
+      message(title, "\nprocess ", process_, "\nhost ", host_name(), "\nsince ", utc_now(), "\n");
   if (::ftruncate(descriptor_, 0) != 0 ||
       ::pwrite(descriptor_, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) {
     const int reason = errno;
-    ::unlink(path_.c_str());
-    ::close(descriptor_);
+    give_up();
     errno = reason;
     fail(path_);
   }
 }
 
 RunLock::~RunLock() {
-  // Taken away while it is held, so that nobody can lock a file that is about to go. A forked child
-  // has a share in the lock, which closing alone would leave to it.
+  if (::getpid() == process_) {  // not in a forked process that unwinds
+    give_up();
+  }
+}
+
+bool RunLock::take() {
+  OpenLocks& all = open_locks();
+  const std::lock_guard guard(all.busy);
+  descriptor_ = open_and_lock(path_);
+  if (descriptor_ >= 0) {
+    all.files.push_back(descriptor_);
+  }
+  return descriptor_ >= 0;
+}
+
+void RunLock::give_up() {
+  OpenLocks& all = open_locks();
+  const std::lock_guard guard(all.busy);
+  // Taken away while it is held, so that nobody can lock a file that is about to go.
   ::unlink(path_.c_str());
-  ::flock(descriptor_, LOCK_UN);
+  std::erase(all.files, descriptor_);
   ::close(descriptor_);
 }
 

@@ -1,7 +1,10 @@
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <memory>
 
 #include "lapilli/output/file.hpp"
 #include "lapilli/output/output_error.hpp"
@@ -77,6 +80,40 @@ TEST_CASE("the lock of a dead process is taken over, even where a child of it li
   REQUIRE(std::filesystem::exists(folder / "run.vtkhdf.lock"));
   { const RunLock taken_over(output); }
   ::close(stop[1]);
+}
+
+TEST_CASE("a lock that is held is not taken, though its file still names a dead process") {
+  // So it looks while a run that begins where another was killed has yet to write its name.
+  const ScratchFolder folder;
+  const auto output = folder / "run.vtkhdf", path = folder / "run.vtkhdf.lock";
+  const pid_t dead = fork();
+  if (dead == 0) {
+    new RunLock(output);
+    _exit(0);
+  }
+  REQUIRE(exit_code(dead) == 0);
+  const std::string left = bytes_of(path);
+  REQUIRE_THAT(left, Catch::Contains("process " + std::to_string(dead)));
+  const int held = ::open(path.c_str(), O_RDWR);
+  REQUIRE(::flock(held, LOCK_EX | LOCK_NB) == 0);
+  REQUIRE_THROWS_WITH(RunLock(output), Catch::Contains("cannot lock"));
+  REQUIRE(bytes_of(path) == left);
+  ::close(held);
+  REQUIRE_NOTHROW(RunLock(output));
+}
+
+TEST_CASE("a forked process that unwinds leaves its parent's lock alone") {
+  const ScratchFolder folder;
+  const auto output = folder / "run.vtkhdf";
+  auto lock = std::make_unique<RunLock>(output);
+  const pid_t child = fork();
+  if (child == 0) {
+    lock.reset();
+    _exit(0);
+  }
+  REQUIRE(exit_code(child) == 0);
+  REQUIRE(std::filesystem::exists(folder / "run.vtkhdf.lock"));
+  REQUIRE_THROWS_WITH(RunLock(output), Catch::Contains("another run"));
 }
 
 TEST_CASE("a run holds its lock from its beginning to its end, a resume too") {
