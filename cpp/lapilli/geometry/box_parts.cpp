@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/core/interruption.hpp"
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/geometry/flat.hpp"
 #include "lapilli/geometry/image_parts.hpp"
@@ -129,6 +130,7 @@ class AllParts {
     const Index deep = last[1] - first[1] + 1, high = last[2] - first[2] + 1;
     std::vector<std::vector<BoxPart>> rows(static_cast<std::size_t>(deep * high));
     parallel_tasks(deep * high, [&](Index row) {
+      allow_interruption();
       Sites::Site site{first[0], first[1] + row % deep, first[2] + row / deep};
       for (; site[0] <= last[0]; ++site[0]) {
         add(site, rows[static_cast<std::size_t>(row)]);
@@ -141,6 +143,7 @@ class AllParts {
     std::vector<BoxPart> parts;
     parts.reserve(count);
     for (std::vector<BoxPart>& row : rows) {
+      allow_interruption();
       parts.insert(parts.end(), row.begin(), row.end());
       row = {};
     }
