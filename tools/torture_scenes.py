@@ -35,6 +35,20 @@ step = 2e-3
 [output]
 every = 0.01
 """
+DISK = f"""[[bodies]]
+name = "NAME"
+shape = {{kind = "disk", center = [MIDDLE, 0.5], radius = 0.3}}
+points_per_cell = 9
+velocity = [SPEED, 0.0]
+material = {ELASTIC.replace("1e9", "1e6")}
+"""
+
+
+def _disk(name: str, middle: float, speed: float) -> str:
+    text = DISK.replace("NAME", name).replace("MIDDLE", str(middle))
+    return text.replace("SPEED", str(speed))
+
+
 TURNING = """motion = {kind = "rotation", center = [0.0, 0.0], revolutions_per_second = 1.0}
 points_per_cell"""
 SCENES = {
@@ -56,6 +70,18 @@ walls = [{{kind = "roller", face = "x_lower"}}, {{kind = "no_slip", face = "y_lo
 end = 1.0
 [output]
 every = 0.02
+""",
+    "contact": f"""
+[grid]
+lower = [0.0, 0.0]
+upper = [2.0, 1.0]
+cell = 0.1
+{_disk("left", 0.55, 2.0)}{_disk("right", 1.35, -2.0)}[dynamics]
+contacts = [{{bodies = ["left", "right"], friction = 0.3}}]
+[time]
+end = 0.2
+[output]
+every = 0.005
 """,
     "quasi_static": f"""
 [grid]
