@@ -15,7 +15,7 @@ THERMAL = '{kind = "thermal", density = 1.0, specific_heat = 1.0, conductivity =
 ELASTIC = '{kind = "elastic", density = 1000.0, youngs_modulus = 1e9, poissons_ratio = 0.3}'
 SOIL = (
     '{kind = "mohr_coulomb", density = 2000.0, youngs_modulus = 1e6, poissons_ratio = 0.3,'
-    " friction = 30.0}"
+    " friction_angle = 30.0}"
 )
 CONVECTION = '[[heat.boundaries]]\nkind = "convection"\ncoefficient = 1.0\nambient = 1.0\n'
 
@@ -65,7 +65,7 @@ points_per_cell = 9
 material = {SOIL}
 [dynamics]
 gravity = [0.0, -9.81]
-walls = [{{kind = "roller", face = "x_lower"}}, {{kind = "no_slip", face = "y_lower"}}]
+grid_boundaries = [{{kind = "roller", face = "x_lower"}}, {{kind = "no_slip", face = "y_lower"}}]
 [time]
 end = 1.0
 [output]
@@ -95,7 +95,7 @@ points_per_cell = 16
 material = {ELASTIC}
 [quasi_static]
 body_force = [0.0, {{times = [0.0, 1.0], values = [0.0, -1e9]}}]
-walls = [{{name = "left", kind = "fixed", line = [[0.0, 0.1], [0.0, 0.0]]}}]
+supports = [{{name = "left", kind = "fixed", line = [[0.0, 0.1], [0.0, 0.0]]}}]
 [time]
 end = 1.0
 steps = 20
