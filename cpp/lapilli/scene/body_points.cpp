@@ -1,5 +1,6 @@
 #include "lapilli/scene/body_points.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lapilli/geometry/cell_fill.hpp"
@@ -7,6 +8,7 @@
 #include "lapilli/geometry/join_small.hpp"
 #include "lapilli/geometry/sources.hpp"
 #include "lapilli/geometry/support.hpp"
+#include "lapilli/mpm/heat/asks_for_points.hpp"
 #include "lapilli/scene/build_peridynamics.hpp"
 #include "lapilli/scene/fluid_frame.hpp"
 #include "lapilli/scene/place_errors.hpp"
@@ -182,6 +184,15 @@ void require_apart(const Scene& scene, const std::vector<FilledPoints>& filled) 
   }
 }
 
+/// Whether conditions of heat act where points, and not the shapes of bodies, say that the surface
+/// is. On a line both know it.
+bool finds_surface_by_points(const Scene& scene, const Body& body) {
+  const bool moves = scene.dynamics || body.motion;
+  const bool all_have_shapes =
+      std::ranges::all_of(scene.bodies, [](const Body& other) { return other.shape.has_value(); });
+  return moves || (dimension_of(scene) > 1 && (!all_have_shapes || asks_for_points(*scene.heat)));
+}
+
 }  // namespace
 
 Bounds grid_bounds(const Scene& scene) {
@@ -236,9 +247,9 @@ bool is_filled_exactly(const Scene& scene, const Body& body) {
   // The boxes of GIMP points keep their full width: around the centroids of pieces they no longer
   // tile the body, and fluxes and pressures on its surface stop converging (by .7 % of its area).
   const bool boxes_tile = scene.quasi_static || scene.grid.shape_function != ShapeFunction::gimp;
-  const bool moves = scene.dynamics || body.motion;
-  const bool has_conditions = moves && ((scene.heat && !scene.heat->boundaries.empty()) ||
-                                        (scene.dynamics && !scene.dynamics->boundaries.empty()));
+  const bool has_conditions =
+      (scene.heat && !scene.heat->boundaries.empty() && finds_surface_by_points(scene, body)) ||
+      (scene.dynamics && !scene.dynamics->boundaries.empty());
   return scene.peridynamics ? conducts_at_rest(scene) : boxes_tile || !has_conditions;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/asks_for_points.hpp"
 #include "lapilli/mpm/heat/part_sources.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
 #include "lapilli/mpm/transfer/cell_order.hpp"
@@ -12,13 +13,7 @@ namespace lapilli {
 
 template <int Dim>
 bool CutCellHeat<Dim>::suits(const HeatProblem<Dim>& problem) {
-  // Who sets the nodal normals, or exchange at the start of the step, wants the operators of
-  // points.
   const HeatSettings& settings = problem.settings;
-  const HeatSettings usual;
-  const bool untouched = settings.normal_smoothing == usual.normal_smoothing &&
-                         settings.corner_fit == usual.corner_fit &&
-                         settings.implicit_robin == usual.implicit_robin;
   // On a line the points know the surface as well, and without a law that depends on its
   // temperature their capacities err less (rod under a flux, h = 0.1 m: 3.1e-5 against 1.1e-4 K).
   const bool better_by_points =
@@ -27,10 +22,7 @@ bool CutCellHeat<Dim>::suits(const HeatProblem<Dim>& problem) {
                    [](const HeatBody& body) { return body.material.varies(); }) &&
       std::all_of(settings.boundaries.begin(), settings.boundaries.end(),
                   [](const HeatBoundary& law) { return std::holds_alternative<Flux>(law); });
-  return !problem.moving && untouched && !better_by_points &&
-         settings.method == FluxMethod::virtual_flux &&
-         (settings.transfer == HeatTransfer::automatic ||
-          settings.transfer == HeatTransfer::nodal) &&
+  return !problem.moving && !better_by_points && !asks_for_points(settings) &&
          std::all_of(problem.bodies.begin(), problem.bodies.end(),
                      [](const HeatBody& body) { return body.shape.has_value(); });
 }
