@@ -313,6 +313,7 @@ def main() -> int:
     parser.add_argument("--trials", type=int, help="of each, instead")
     parser.add_argument("--seed", type=int, default=1)
     given = parser.parse_args()
+    sys.setrecursionlimit(20_000)  # mutated scenes are nested as deep as 400 shapes, and twice
     broken = 0
     for name in given.attack or ATTACKS:
         attack, short, long = ATTACKS[name]
