@@ -124,8 +124,10 @@ def damages(folder: Path, trials: int, choose: random.Random) -> Counts:
     scene = written(folder, "heat")
     output = folder / "run.vtkhdf"
     subprocess.run(command("executable", scene, output, "--every=0.01"), check=True)
-    files = [file for file in folder.iterdir() if file.name.startswith("run.") and file.suffix]
+    files = sorted(file for file in folder.iterdir() if file.name.startswith("run."))
     right = numbers(output)
+    # What rests is stored once, for all frames: with it go they all.
+    resting = {name for frame, name in right if right.get((frame + 1, name)) == right[frame, name]}
     for _ in range(trials):
         file = choose.choice(files)
         content = file.read_bytes()
@@ -143,7 +145,8 @@ def damages(folder: Path, trials: int, choose: random.Random) -> Counts:
         if file == output:
             counts["index not made anew"] += _core.rebuild_index(str(output)) != 51
         elif ".data" in file.name and changed is not None and len(changed) == len(content):
-            counts["more than two frames lost"] += len({key[0] for key in lost}) > 2
+            moving = {frame for frame, name in lost if name not in resting}
+            counts["more than two frames lost"] += len(moving) > 2
         file.write_bytes(content)
     return counts
 
