@@ -22,6 +22,8 @@ struct Known {
 constexpr Known known_diagnostics[] = {
     {"surface_area", "m^2", true, "area of the surface that boundary conditions act on"},
     {"free_surface_area", "m^2", true, "area of all free surface of the bodies' shapes"},
+    {"area_ratio", "", false,
+     "area of the shape over what the nodes found at the start, by which areas are scaled"},
     {"negative_area_share", "", false, "share of negative nodal areas in the surface"},
     {"time_error", "", false,
      "estimated error of the steps so far, as a share of the span of temperatures"},

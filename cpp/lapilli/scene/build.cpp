@@ -181,6 +181,14 @@ std::unique_ptr<Dynamics<Dim>> dynamics_of(const Scene& scene, const Grid<Dim>& 
     body.stress = stress.of(k);
     problem.bodies.push_back(std::move(body));
   }
+  for (const Body& body : scene.bodies) {
+    if (const std::optional<Shape> shape = placed_shape(body); shape && !initial) {
+      problem.shapes.push_back(*shape);
+    }
+  }
+  if (problem.shapes.size() < scene.bodies.size()) {
+    problem.shapes.clear();
+  }
   if (initial) {
     problem.start = initial->points(filled);
   }

@@ -185,6 +185,9 @@ std::vector<std::pair<std::string, double>> Dynamics<Dim>::diagnostics() const {
   if (data_.settings.local_damping > 0.0) {
     all.emplace_back("damping loss", flows_.damping);
   }
+  if (loads_) {
+    all.emplace_back("area ratio", loads_->area_ratio());
+  }
   if (obstacles_) {
     std::ranges::copy(obstacles_->diagnostics(), std::back_inserter(all));
   }

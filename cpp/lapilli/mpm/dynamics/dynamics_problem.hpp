@@ -8,6 +8,7 @@
 #include "lapilli/core/physics.hpp"
 #include "lapilli/core/points.hpp"
 #include "lapilli/geometry/grid.hpp"
+#include "lapilli/geometry/shape.hpp"
 #include "lapilli/materials/solid.hpp"
 #include "lapilli/mpm/dynamics/dynamics_settings.hpp"
 #include "lapilli/mpm/surface/nodal_surface.hpp"
@@ -35,6 +36,7 @@ struct DynamicsProblem {
   std::vector<DynamicsBody> bodies;  // by body number of the points
   DynamicsSettings settings;
   DistanceFunction distance = {};  // signed distance to the union of the bodies; may be empty
+  std::vector<Shape> shapes = {};  // by body; empty where not all are known, or bodies go on
   std::shared_ptr<const PointStart> start = {};  // null where all points start anew
 };
 

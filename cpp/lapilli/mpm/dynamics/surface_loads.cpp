@@ -1,6 +1,7 @@
 #include "lapilli/mpm/dynamics/surface_loads.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/cell_sums.hpp"
@@ -71,12 +72,31 @@ SurfaceLoads<Dim>::SurfaceLoads(const DynamicsData<Dim>& data, const DynamicsPro
   }
   outside_.start(data.points, problem.distance);
   find_surface(data);
+  compare_with_shapes(data, problem);
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     require(!nodes_[law].node.empty(), "dynamics.boundaries.", law, " (",
             name_of_law(laws_[law], law), ") selects no surface: ",
             region_of(laws_[law]) != nullptr ? "its region covers none that an earlier law left"
                                              : "earlier laws left none");
   }
+}
+
+template <int Dim>
+void SurfaceLoads<Dim>::compare_with_shapes(const DynamicsData<Dim>& data,
+                                            const DynamicsProblem<Dim>& problem) {
+  if (problem.shapes.empty()) {
+    return;
+  }
+  std::vector<const Shape*> regions;
+  std::vector<double> found;
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    regions.push_back(region_of(laws_[law]));
+    found.push_back(std::accumulate(nodes_[law].area.begin(), nodes_[law].area.end(), 0.0));
+  }
+  ratios_ = AreaRatios(areas_of_shapes<Dim>(data.grid, data.shape, problem.shapes, regions,
+                                            contact_faces(data.walls)));
+  ratios_.compare(found);
+  find_surface(data);
 }
 
 template <int Dim>
@@ -139,7 +159,7 @@ void SurfaceLoads<Dim>::find_surface(const DynamicsData<Dim>& data) {
     for (const SurfacePart<Dim>& part : parts[law]) {
       nodes.node.push_back(areas.node[part.row]);
       nodes.area_vector.push_back(part.vector);
-      nodes.area.push_back(part.share * areas.area[part.row]);
+      nodes.area.push_back(ratios_.of(law) * part.share * areas.area[part.row]);
       nodes.normal.push_back(areas.normal[part.row]);
       nodes.position.push_back(areas.position[part.row]);
     }

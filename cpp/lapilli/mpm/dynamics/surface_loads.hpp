@@ -6,6 +6,7 @@
 #include "lapilli/core/balance.hpp"
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
 #include "lapilli/mpm/surface/nodal_surface.hpp"
+#include "lapilli/mpm/surface/shape_areas.hpp"
 #include "lapilli/mpm/surface/surface_view.hpp"
 #include "lapilli/mpm/surface/wall_contact.hpp"
 
@@ -32,6 +33,8 @@ class SurfaceLoads {
   std::vector<Balance::Entry> work_entries() const;             // J, by law
   std::vector<Balance::Entry> impulse_entries(int axis) const;  // N s, by law
   SurfaceView surface() const;
+  /// What the areas of tractions are scaled by, the farthest from 1.
+  double area_ratio() const { return ratios_.farthest(); }
 
   void save(Archive& archive, const std::string& name) const;
   void load(const Archive& archive, const std::string& name);
@@ -48,6 +51,7 @@ class SurfaceLoads {
     std::vector<Vec<Dim>> force;  // N
   };
 
+  void compare_with_shapes(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem);
   void project_surface(const DynamicsData<Dim>& data);
   NodalAreas<Dim> free_areas(const Grid<Dim>& grid) const;
   void find_surface(const DynamicsData<Dim>& data);
@@ -61,6 +65,7 @@ class SurfaceLoads {
   Index version_;  // of the points that outside_ belongs to
   NodalSums<Dim> sums_;
   std::vector<double> scratch_[Dim];
+  AreaRatios ratios_;  // of tractions
 };
 
 /// "pressure 2" or the name the user gave.

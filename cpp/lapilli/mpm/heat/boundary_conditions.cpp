@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
@@ -85,7 +86,8 @@ void BoundaryConditions<Dim>::assign(
     const auto* flux = std::get_if<Flux>(&laws_[law]);
     const bool is_signed = flux != nullptr && !flux->value.is_function();
     for (const SurfacePart<Dim>& part : parts[law]) {
-      const double area = part.share * (is_signed ? areas.area : areas.positive)[part.row];
+      const double area =
+          ratios_.of(law) * part.share * (is_signed ? areas.area : areas.positive)[part.row];
       if (area != 0.0) {
         nodes_[law].node.push_back(areas.node[part.row]);
         nodes_[law].area.push_back(area);
@@ -94,11 +96,35 @@ void BoundaryConditions<Dim>::assign(
       }
     }
   }
+  if (!ratios_.are_known()) {
+    std::vector<double> found;
+    for (const Nodes& nodes : nodes_) {
+      found.push_back(std::accumulate(nodes.area.begin(), nodes.area.end(), 0.0));
+    }
+    ratios_.compare(found);
+    for (std::size_t law = 0; law < laws_.size(); ++law) {
+      for (double& area : nodes_[law].area) {
+        area *= ratios_.of(law);
+      }
+    }
+  }
   for (Nodes& nodes : nodes_) {
     nodes.state.resize(nodes.node.size());
     nodes.rate.resize(nodes.node.size());
     nodes.slope.resize(nodes.node.size());
   }
+}
+
+template <int Dim>
+void BoundaryConditions<Dim>::save(Archive& archive, const std::string& name) const {
+  account_.save(archive, name);
+  archive.write(name + "/area_ratios", ratios_.values());
+}
+
+template <int Dim>
+void BoundaryConditions<Dim>::load(const Archive& archive, const std::string& name) {
+  account_.load(archive, name);
+  ratios_.restore(archive.read_numbers(name + "/area_ratios"));
 }
 
 template <int Dim>

@@ -9,6 +9,7 @@
 #include "lapilli/mpm/heat/condition_account.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
 #include "lapilli/mpm/surface/nodal_surface.hpp"
+#include "lapilli/mpm/surface/shape_areas.hpp"
 #include "lapilli/mpm/surface/surface_regions.hpp"
 #include "lapilli/mpm/surface/surface_view.hpp"
 
@@ -54,6 +55,10 @@ class BoundaryConditions {
   /// are regions.
   void assign(const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
               const std::function<std::vector<SurfacePlace<Dim>>()>& places);
+  /// Scale the areas that are assigned from here on so that those of the next assignment become
+  /// what shapes have, by law.
+  void compare_areas(AreaRatios ratios) { ratios_ = std::move(ratios); }
+  const AreaRatios& area_ratios() const { return ratios_; }
   /// Place the probes of held temperatures, one cell below the surface, among the nodes that are
   /// active: a thin plate has fewer there. `conductivity` is the nodal n.k.n (W/(m K)).
   void place_probes(const Grid<Dim>& grid, const std::function<bool(Index)>& is_active,
@@ -91,8 +96,8 @@ class BoundaryConditions {
 
   SurfaceView surface() const;
   std::vector<Balance::Entry> entries() const { return account_.entries(laws_); }
-  void save(Archive& archive, const std::string& name) const { account_.save(archive, name); }
-  void load(const Archive& archive, const std::string& name) { account_.load(archive, name); }
+  void save(Archive& archive, const std::string& name) const;
+  void load(const Archive& archive, const std::string& name);
 
  private:
   void evaluate_between(std::span<const double> temperature, double begin, double end);
@@ -111,6 +116,7 @@ class BoundaryConditions {
   std::vector<HeatBoundary> laws_;
   std::vector<Nodes> nodes_;
   ConditionAccount account_;
+  AreaRatios ratios_;
   double zero_ = 0.0;               // absolute zero in the scene's unit
   double begin_ = 0.0, end_ = 0.0;  // s, the span of time being evaluated
   bool secant_ = false;

@@ -32,7 +32,9 @@ std::vector<std::pair<std::string, double>> surface_diagnostics(const BoundaryCo
       area += a;
     }
   }
-  return {{"surface_area", area}, {"negative_area_share", negative_share}};
+  return {{"surface_area", area},
+          {"area_ratio", laws.area_ratios().farthest()},
+          {"negative_area_share", negative_share}};
 }
 
 #define LAPILLI_INSTANTIATE(Dim)                                            \

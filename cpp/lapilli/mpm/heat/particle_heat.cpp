@@ -55,6 +55,7 @@ ParticleHeat<Dim>::ParticleHeat(Points& points, HeatProblem<Dim> problem)
   }
   if (!laws_.empty()) {
     surface_ = std::make_unique<HeatSurface<Dim>>(points_, problem_);
+    compare_with_shapes();
     if (transfer_ == HeatTransfer::flip && problem_.settings.implicit_robin) {
       relaxation_.assign(grid_.capacity.size(), 0.0);
       conductivity_ = std::numeric_limits<double>::infinity();
@@ -128,6 +129,27 @@ template <int Dim>
 void ParticleHeat<Dim>::project_to_grid() {
   grid_.project(points_, order_, capacity_.data(), temperature_.data(),
                 affine_ ? gradient_->data() : nullptr);
+}
+
+/// Areas are those of the shapes at the start, where these are known and nobody chose the operator.
+template <int Dim>
+void ParticleHeat<Dim>::compare_with_shapes() {
+  std::vector<Shape> shapes;
+  for (const HeatBody& body : problem_.bodies) {
+    if (body.shape) {
+      shapes.push_back(*body.shape);
+    }
+  }
+  if (problem_.settings.method != FluxMethod::virtual_flux ||
+      shapes.size() < problem_.bodies.size()) {
+    return;
+  }
+  std::vector<const Shape*> regions;
+  for (const HeatBoundary& law : problem_.settings.boundaries) {
+    regions.push_back(region_of(law));
+  }
+  laws_.compare_areas(AreaRatios(
+      areas_of_shapes<Dim>(problem_.grid, problem_.shape, shapes, regions, problem_.walls)));
 }
 
 template <int Dim>

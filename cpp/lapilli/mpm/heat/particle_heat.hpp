@@ -52,6 +52,7 @@ class ParticleHeat final : public Physics, public HasSurface {
 
   // The phases of a step.
   void project_to_grid();
+  void compare_with_shapes();
   void find_surface();
   void conduct();
   void exchange_with_surroundings(const Step& step);
