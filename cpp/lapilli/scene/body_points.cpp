@@ -81,8 +81,9 @@ FilledPoints filled_shape(const Scene& scene, const Body& body) {
     return FluidFrame(scene, lattice.points_per_axis).fill(*placed_shape(body), options, dimension);
   }
   FilledPoints points = fill(*body.shape, lattice, options, dimension);
-  if (options.clip && body.jitter == 0.0 && conducts_at_rest(scene)) {
-    join_small(points, 0.5);  // explicit steps are limited by the smallest
+  if (options.clip && body.jitter == 0.0 && (conducts_at_rest(scene) || scene.dynamics)) {
+    // The smallest limit explicit steps of heat; alone before a wall they are what it pushes.
+    join_small(points, 0.5);
   }
   return points;
 }
