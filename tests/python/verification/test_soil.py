@@ -166,8 +166,8 @@ def bent(angle: float, cell: float) -> Bent:
         bodies=[beam],
         dynamics=lp.Dynamics(
             boundaries=[
-                across("left", 1, -2, 0.01 - length / 2),
-                across("right", 1, length / 2 - 0.01, 2),
+                across("left", 1, -2, 1e-6 - length / 2),
+                across("right", 1, length / 2 - 1e-6, 2),
                 across("middle", -1, -height / 2, height / 2),
             ],
         ),
