@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "lapilli/core/build_info.hpp"
 #include "lapilli/core/interruption.hpp"
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
@@ -100,7 +101,7 @@ void define_arguments(CLI::App& app, Arguments& given) {
   app.add_flag("--quiet", given.quiet, "Show no progress");
   app.add_flag("--keys", given.keys, "Print every key of a scene file as Markdown");
   app.add_flag("--schema", given.schema, "Print the JSON Schema of scene files");
-  app.set_version_flag("--version", "lapilli " LAPILLI_VERSION);
+  app.set_version_flag("--version", version_text);
 }
 
 Scene scene_of(const Arguments& given) {

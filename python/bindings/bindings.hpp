@@ -12,6 +12,7 @@ void bind_materials(pybind11::module_& module);
 void bind_mpm(pybind11::module_& module);
 void bind_points(pybind11::module_& module);
 void bind_scene(pybind11::module_& module);
+void bind_reports(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
 void bind_run(pybind11::module_& module);
 void bind_frames(pybind11::module_& module);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "convert_core.hpp"
+#include "convert_function.hpp"
 #include "convert_geometry.hpp"
 #include "lapilli/scene/scene_file.hpp"
 

@@ -1,5 +1,6 @@
 #include "bind_struct.hpp"
 #include "bindings.hpp"
+#include "lapilli/core/build_info.hpp"
 
 namespace lapilli::python {
 namespace {
@@ -17,7 +18,11 @@ PYBIND11_MODULE(_core, module) {
   pybind11::options options;
   options.disable_function_signatures();
   module.doc() = "The compiled part of lapilli.";
-  module.attr("__version__") = LAPILLI_VERSION;
+  module.attr("__version__") = lapilli::build_info().version;
+  module.def(
+      "version_text", &lapilli::version_text,
+      "version_text() -> str\n\nVersion, compiler, processor level of the kernels, build type "
+      "and threads, a line each.");
 
   using namespace lapilli::python;
   being_bound = &module;
@@ -27,6 +32,7 @@ PYBIND11_MODULE(_core, module) {
   bind_mpm(module);
   bind_points(module);
   bind_scene(module);
+  bind_reports(module);
   bind_simulation(module);
   bind_run(module);
   bind_frames(module);

@@ -81,12 +81,10 @@ def application() -> App:
 
 
 def version() -> str:
-    """Version, and how the program was built as far as it says."""
+    """Version, and how the program was built."""
     from lapilli import _core
 
-    known = {name: getattr(_core, name, None) for name in ("compiler", "kernel_set", "build_type")}
-    lines = [f"{name.replace('_', ' ')}: {value}" for name, value in known.items() if value]
-    return "\n".join([f"lapilli {_core.__version__}", *lines, f"threads: {_core.thread_count()}"])
+    return _core.version_text()
 
 
 def refuse(error: CycloptsError) -> NoReturn:

@@ -142,11 +142,14 @@ def test_a_shell_completes_commands_and_options(capsys: pytest.CaptureFixture[st
     assert completed("check", "sce") == ["scene.toml"]
 
 
-def test_version_tells_the_threads(capsys: pytest.CaptureFixture[str]) -> None:
+def test_version_tells_how_it_was_built(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--version"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[0] == f"lapilli {lp.__version__}"
     assert lines[-1] == f"threads: {lp.thread_count()}"
+    told = dict(line.split(": ", 1) for line in lines[1:])
+    assert list(told) == ["compiler", "kernel set", "build type", "threads"]
+    assert all(told.values())
 
 
 def test_commands_start_light() -> None:
