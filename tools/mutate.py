@@ -21,7 +21,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
-from mutants.table import ROOT, Mutant, all_mutants, mutated_sources, programs_of
+from house import ALLOWED
+from mutants.table import HEADER, ROOT, Mutant, all_mutants, mutated_sources, programs_of
 
 WORK = ROOT / "build" / "mutants"
 TREE = WORK / "source"
@@ -44,7 +45,7 @@ def main() -> int:
         for mutant in wanted:
             print(f"{mutant.number:4} {mutant.area:12} {mutant}")
         return 0
-    write_tree(every)
+    write_tree(every, {mutant.area for mutant in wanted})
     programs = sorted({name for mutant in wanted for name in programs_of(mutant.area)})
     build(programs, given.jobs)
     suites = {name: Suite(name) for name in programs}
@@ -58,11 +59,21 @@ def main() -> int:
     return report(wanted, results)
 
 
-def write_tree(every: list[Mutant]) -> None:
-    """Copy what is built, with all mutants in it; what is the same as before keeps its time."""
-    sources = {path: path.read_text() for path in tracked("cpp", "cmake", "tests/cpp")}
-    sources[ROOT / "CMakeLists.txt"] = (ROOT / "CMakeLists.txt").read_text()
-    sources |= mutated_sources(every)
+def write_tree(every: list[Mutant], areas: set[str]) -> None:
+    """Copy what the test programs of some areas need, with all mutants in it.
+
+    What is the same as before keeps its time. Folders that these programs do not stand on, as
+    scenes and output, are left out: they take longest to compile.
+    """
+    tests = {name.removeprefix("test_") for area in areas for name in programs_of(area)}
+    kernels = set().union(*(ALLOWED.get(name, ALLOWED["mpm"]) for name in tests))
+    needed = ["CMakeLists.txt", "cmake", "tests/cpp/CMakeLists.txt", "cpp/CMakeLists.txt"]
+    needed += ["tests/cpp/*.hpp", *(f"tests/cpp/{name}" for name in tests)]
+    needed += [f"cpp/lapilli/{one}" for one in kernels]
+    needed.append("cpp/lapilli/scene/toml_implementation.cpp")  # which CMake names
+    sources = {path: path.read_text() for path in tracked(*needed)}
+    mutated = mutated_sources(every)
+    sources |= {path: text for path, text in mutated.items() if path in sources or path == HEADER}
     (TREE / "cpp").mkdir(parents=True, exist_ok=True)
     kept = {TREE / path.relative_to(ROOT) for path in sources}
     for old in (
