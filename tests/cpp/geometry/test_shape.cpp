@@ -139,6 +139,17 @@ TEST_CASE("a region selects surface with slack") {
   REQUIRE(covers(region, Vec3(1, 1, 0)));
 }
 
+TEST_CASE("a polygon ends at its vertices and knows its outside however it is drawn") {
+  const Polygon square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}},
+      clockwise{{{0, 0}, {0, 1}, {1, 1}, {1, 0}}};
+  for (const Polygon& one : {square, clockwise}) {
+    CHECK(one.distance({4, 5, 0}) == Approx(5));
+    CHECK(one.distance({-3, 0.5, 0}) == Approx(3));
+    CHECK(one.gradient({1, 0.5, 0}).isApprox(Vec3(1, 0, 0)));  // on the outline itself
+    CHECK(one.gradient({0.5, 0, 0}).isApprox(Vec3(0, -1, 0)));
+  }
+}
+
 TEST_CASE("rotation by right angles is exact") {
   REQUIRE(rotation(90, Vec3::UnitZ()) * Vec3(1, 0, 0) == Vec3(0, 1, 0));
   REQUIRE(rotation(-270, Vec3(0, 0, 5)) * Vec3(1, 0, 0) == Vec3(0, 1, 0));

@@ -107,3 +107,12 @@ TEST_CASE("Drucker-Prager constants out of range are refused with their range") 
   refused([](DruckerPrager& m) { m.cohesion = NAN; }, "cohesion");
   refused([](DruckerPrager& m) { m.elastic.poissons_ratio = 0.5; }, "(-1, 0.5)");
 }
+
+TEST_CASE("with dilation equal to friction cone and flow are the textbook's of plane strain") {
+  const DruckerPragerLaw law(soil(35.0, 35.0, ConeFit::plane_strain));
+  const double tangent = std::tan(35.0 * std::acos(-1.0) / 180.0);
+  const double root = std::sqrt(9.0 + 12.0 * tangent * tangent);  // Drucker and Prager 1952
+  CHECK(law.flow == Approx(tangent / root).epsilon(1e-12));
+  CHECK(law.cone == Approx(tangent / root).epsilon(1e-12));
+  CHECK(law.strength == Approx(3e3 / root).epsilon(1e-12));
+}
