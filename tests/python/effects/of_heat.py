@@ -129,4 +129,12 @@ EFFECTS: dict[str, Effect] = {
     "Translation.velocity": Effect(
         scenes.sliding_disk, "bodies[0].motion.velocity", (1, 0), (2, 0), centre(0), ">"
     ),
+    "HeatContact.conductance": Effect(
+        v.hot_and_cold,
+        "heat.contacts[0].conductance",
+        0.5,
+        5.0,
+        number("heat/heat_from_hot_to_cold"),
+        ">",
+    ),
 }

@@ -25,9 +25,6 @@ F = scenes.falling_block
 P = scenes.pressed_block
 
 EFFECTS: dict[str, Effect] = {
-    "HeatContact.conductance": Effect(
-        v.hot_and_cold, "heat.contacts[0].conductance", 0.5, 5.0, passed_on, ">"
-    ),
     "Dynamics.gravity": Effect(F, "dynamics.gravity", (0, -10), (1, -10), centre(0), ">"),
     "Dynamics.gravity_factor": Effect(
         F, "dynamics.gravity_factor", lp.Table([0, 1], [0, 1]), 1.0, centre(0), ">"
