@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "lapilli/core/parallel.hpp"
+#include "lapilli/core/says_model.hpp"
 #include "lapilli/core/snake_case.hpp"
 #include "lapilli/core/warnings.hpp"
 #include "lapilli/output/file.hpp"
@@ -106,6 +107,13 @@ void write_physics(JsonWriter& json, const Physics& physics) {
   if (const auto* warner = dynamic_cast<const Warnings*>(&physics)) {
     for (const std::string& warning : warner->warnings()) {
       json.value(warning);
+    }
+  }
+  json.end_array();
+  json.key("modelled").begin_array();
+  if (const auto* chooser = dynamic_cast<const SaysModel*>(&physics)) {
+    for (const std::string& choice : chooser->modelled()) {
+      json.value(choice);
     }
   }
   json.end_array();

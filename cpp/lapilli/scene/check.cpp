@@ -8,7 +8,7 @@
 
 #include "lapilli/core/memory.hpp"
 #include "lapilli/core/require.hpp"
-#include "lapilli/mpm/dynamics/contacts/describes_contacts.hpp"
+#include "lapilli/core/says_model.hpp"
 #include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/body_volumes.hpp"
@@ -215,11 +215,11 @@ void describe_dynamics(const Scene& scene, CheckReport& report) {
   }
 }
 
-// Which bodies are one and which meet is known once they are built.
-void describe_contacts(const Simulation& simulation, CheckReport& report) {
+// What depends on how bodies lie is known once they are built.
+void describe_choices(const Simulation& simulation, CheckReport& report) {
   for (const auto& physics : simulation.physics()) {
-    if (const auto* moving = dynamic_cast<const DescribesContacts*>(physics.get())) {
-      std::ranges::copy(moving->contacts(), std::back_inserter(report.modelled));
+    if (const auto* chooser = dynamic_cast<const SaysModel*>(physics.get())) {
+      std::ranges::copy(chooser->modelled(), std::back_inserter(report.modelled));
     }
   }
 }
@@ -330,7 +330,7 @@ CheckReport check(const Scene& scene) {
   describe_grid(scene, report);
   describe_bodies(scene, *simulation, report);
   describe_physics(scene, report);
-  describe_contacts(*simulation, report);
+  describe_choices(*simulation, report);
   for (const std::string& note : unused_settings(scene)) {
     report.notes.push_back(note);
   }

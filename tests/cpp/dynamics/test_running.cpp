@@ -13,7 +13,7 @@ namespace {
 /// Soil that falls on the floor and spreads, thrown to one side so that points change strips.
 template <int Dim>
 std::unique_ptr<Run<Dim>> heap(ShapeFunction shape, StressUpdate update,
-                               VelocityTransfer transfer) {
+                               VelocityTransfer transfer, std::optional<bool> b_bar = {}) {
   Vec<Dim> upper = Vec<Dim>::Constant(Dim == 2 ? 3.0 : 1.6);
   auto run = std::make_unique<Run<Dim>>(Grid<Dim>(Vec<Dim>::Zero(), upper, 0.1), shape);
   const double size = Dim == 2 ? 1.5 : 0.7;
@@ -23,6 +23,7 @@ std::unique_ptr<Run<Dim>> heap(ShapeFunction shape, StressUpdate update,
   run->problem.settings.gravity.back() = -9.81;
   run->problem.settings.stress_update = update;
   run->problem.settings.transfer = transfer;
+  run->problem.settings.b_bar = b_bar;
   for (int axis = 0; axis < Dim; ++axis) {
     if (axis == Dim - 1) {
       run->frictional(axis, 0, 0.4);
@@ -60,10 +61,11 @@ bool same_bytes(const Archive& a, const Archive& b) {
 }
 
 template <int Dim>
-void check_threads(ShapeFunction shape, StressUpdate update, VelocityTransfer transfer, int steps) {
+void check_threads(ShapeFunction shape, StressUpdate update, VelocityTransfer transfer, int steps,
+                   std::optional<bool> b_bar = {}) {
   Archive alone;
   for (int threads : {1, 2, 4}) {
-    auto run = heap<Dim>(shape, update, transfer);
+    auto run = heap<Dim>(shape, update, transfer, b_bar);
     run->start(threads);
     for (int k = 0; k < steps; ++k) {
       run->advance(run->automatic_step());
@@ -88,12 +90,18 @@ TEST_CASE("momentum gives the same bytes for 1, 2 and 4 threads") {
   check_threads<3>(ShapeFunction::linear, StressUpdate::musl, VelocityTransfer::flip, 50);
   check_threads<3>(ShapeFunction::bspline, StressUpdate::usl, VelocityTransfer::apic, 50);
   check_threads<3>(ShapeFunction::gimp, StressUpdate::usl, VelocityTransfer::blended_apic, 50);
+  for (const ShapeFunction shape : all_shapes) {
+    check_threads<2>(shape, StressUpdate::musl, VelocityTransfer::blended_apic, 120, true);
+  }
+  check_threads<3>(ShapeFunction::gimp, StressUpdate::musl, VelocityTransfer::blended_apic, 50,
+                   true);
 }
 
 TEST_CASE("a run that is resumed in mid-collapse gives the same bytes") {
   for (VelocityTransfer transfer : all_transfers) {
     const auto at = [&](int steps, Archive* from, Archive* to) {
-      auto run = heap<2>(ShapeFunction::gimp, StressUpdate::musl, transfer);
+      const bool b_bar = transfer == VelocityTransfer::blended_apic;
+      auto run = heap<2>(ShapeFunction::gimp, StressUpdate::musl, transfer, b_bar);
       run->start();
       if (from) {
         run->points.load(*from);

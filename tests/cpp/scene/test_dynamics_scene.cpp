@@ -174,3 +174,15 @@ TEST_CASE("a report says that dynamics is modelled, and its walls") {
   CHECK_THAT(text,
              Contains("a wave of") && Contains("may cross one cell") && !Contains("deformation"));
 }
+
+TEST_CASE("a report says which bodies have one dilatation a cell") {
+  const auto report_with = [](const char* poisson) {
+    std::string clay = soil;
+    const std::string was = "poissons_ratio = 0.3";
+    clay.replace(clay.find(was), was.size(), std::string("poissons_ratio = ") + poisson);
+    return text_of(
+        check(parse_scene(text_of_parts({start, clay.c_str(), dynamics, end}), "a.toml")));
+  };
+  CHECK_THAT(report_with("0.49"), Contains("one dilatation a cell (b_bar) in body"));
+  CHECK_THAT(report_with("0.3"), !Contains("b_bar"));
+}

@@ -41,6 +41,7 @@ EFFECTS: dict[str, Effect] = {
         v.flip_block, "dynamics.pic_fraction", 0.05, 0.5, VELOCITY, "!="
     ),
     "Dynamics.stress_update": Effect(F, "dynamics.stress_update", "musl", "usl", VELOCITY, "!="),
+    "Dynamics.b_bar": Effect(F, "dynamics.b_bar", False, True, VELOCITY, "!="),
     "Dynamics.courant": Effect(F, "dynamics.courant", 0.5, 0.25, step_size, "x", 0.5, steps=False),
     "BodyContact.contact": Effect(
         scenes.sliding_block,

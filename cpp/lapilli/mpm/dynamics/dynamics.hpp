@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
+#include "lapilli/core/says_model.hpp"
 #include "lapilli/core/warnings.hpp"
 #include "lapilli/mpm/dynamics/contacts/body_contacts.hpp"
-#include "lapilli/mpm/dynamics/contacts/describes_contacts.hpp"
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
 #include "lapilli/mpm/dynamics/energy_watch.hpp"
 #include "lapilli/mpm/dynamics/obstacles/obstacles.hpp"
@@ -17,10 +17,7 @@ namespace lapilli {
 /// Explicit dynamics balance of material points in plane strain (Dim = 2, per metre of depth) or
 /// space. Owns velocity and stress, and moves the points.
 template <int Dim>
-class Dynamics final : public Physics,
-                       public HasSurface,
-                       public Warnings,
-                       public DescribesContacts {
+class Dynamics final : public Physics, public HasSurface, public Warnings, public SaysModel {
  public:
   /// Throws std::invalid_argument for settings, materials or points out of range.
   Dynamics(Points& points, const DynamicsProblem<Dim>& problem);
@@ -37,7 +34,7 @@ class Dynamics final : public Physics,
   std::vector<std::pair<std::string, double>> diagnostics() const override;
   /// Settings that make the answer depend on the numerics.
   std::vector<std::string> warnings() const override { return lapilli::warnings(data_.settings); }
-  std::vector<std::string> contacts() const override { return described_contacts_; }
+  std::vector<std::string> modelled() const override;
 
   // Handles for other physics. Asking for one allocates it; call before the first step.
 

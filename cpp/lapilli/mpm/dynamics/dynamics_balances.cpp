@@ -198,6 +198,21 @@ std::vector<std::pair<std::string, double>> Dynamics<Dim>::diagnostics() const {
 }
 
 template <int Dim>
+std::vector<std::string> Dynamics<Dim>::modelled() const {
+  std::vector<std::string> all = described_contacts_;
+  std::string averaged;
+  for (std::size_t body = 0; data_.dilatation && body < data_.materials.size(); ++body) {
+    if (data_.dilatation->of_body(static_cast<Index>(body))) {
+      averaged += (averaged.empty() ? "" : ", ") + data_.materials[body].body;
+    }
+  }
+  if (!averaged.empty()) {
+    all.push_back("one dilatation a cell (b_bar) in " + averaged);
+  }
+  return all;
+}
+
+template <int Dim>
 void Dynamics<Dim>::refresh_output() {
   const Index count = data_.points.size();
   output_stress_.resize(static_cast<std::size_t>(6 * count));
@@ -237,6 +252,8 @@ template std::vector<std::pair<std::string, double>> Dynamics<2>::diagnostics() 
 template std::vector<std::pair<std::string, double>> Dynamics<3>::diagnostics() const;
 template SurfaceView Dynamics<2>::surface() const;
 template SurfaceView Dynamics<3>::surface() const;
+template std::vector<std::string> Dynamics<2>::modelled() const;
+template std::vector<std::string> Dynamics<3>::modelled() const;
 template void Dynamics<2>::refresh_output();
 template void Dynamics<3>::refresh_output();
 template std::vector<Field> Dynamics<2>::fields();

@@ -108,6 +108,13 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
     half_widths.push_back(shape == ShapeFunction::bspline ? 0.5 : body.half_width);
     materials.emplace_back(body.material, body.label);
   }
+  std::vector<char> averaged;
+  for (const DynamicsBody& body : problem.bodies) {
+    averaged.push_back(averages_dilatation(settings, body.material));
+  }
+  if (std::ranges::any_of(averaged, [](char one) { return one != 0; })) {
+    dilatation = std::make_unique<CellDilatation<Dim>>(std::move(averaged));
+  }
   with_transfer(shape, settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
     moves_with_mean = !is_affine<transfer, Shape>;
   });

@@ -5,6 +5,7 @@
 
 #include "lapilli/core/points.hpp"
 #include "lapilli/materials/state_arrays.hpp"
+#include "lapilli/mpm/dynamics/cell_dilatation.hpp"
 #include "lapilli/mpm/dynamics/dynamics_problem.hpp"
 #include "lapilli/mpm/dynamics/grid_boundaries.hpp"
 #include "lapilli/mpm/dynamics/node_fields.hpp"
@@ -109,6 +110,7 @@ struct DynamicsData {
   CellOrder<Dim> order;
   NodeFields<Dim> fields;
   DynamicsNodes<Dim> nodes;
+  std::unique_ptr<CellDilatation<Dim>> dilatation;  // null where no body is averaged
 };
 
 template <int Dim>

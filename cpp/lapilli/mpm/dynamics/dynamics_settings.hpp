@@ -141,7 +141,8 @@ struct DynamicsSettings {
   double blend_rate = 4.0;     // of blended_apic, a unit of strain; at least 0
   double pic_fraction = 0.05;  // of FLIP, a step; in [0, 1]
   StressUpdate stress_update = StressUpdate::musl;
-  double courant = 0.5;  // automatic step over h / (wave speed + point speed), in (0, 1]
+  std::optional<bool> b_bar;  // the dilatation of a cell is the mean over its points
+  double courant = 0.5;       // automatic step over h / (wave speed + point speed), in (0, 1]
   std::vector<GridBoundary> grid_boundaries;
   std::vector<Obstacle> obstacles;
   std::vector<BodyContact> contacts;
@@ -175,6 +176,10 @@ struct DynamicsSettings {
               .text("flip: share of the nodal velocity, applied once a step"),
           self.pic_fraction);
     visit(Key("stress_update").text("which nodal velocity strains the points"), self.stress_update);
+    visit(Key("b_bar").absent("auto").text(
+              "points take the mean dilatation of their cell, so that it does not lock; absent: "
+              "those of a Poisson ratio above 0.4, or whose strength does not grow with pressure"),
+          self.b_bar);
     visit(Key("courant")
               .range(0.0, 1.0, true)
               .text("automatic step over h / (wave speed + point speed)"),

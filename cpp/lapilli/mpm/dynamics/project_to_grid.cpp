@@ -42,6 +42,7 @@ void project_rows(DynamicsData<Dim>& data, const NodeField<Dim>& field, double s
   const double* stress = data.stress.data();
   const double* affine = data.affine ? data.affine->data() : nullptr;
   const double* carried = data.carried ? data.carried->data() : nullptr;
+  const CellDilatation<Dim>* averaged = data.dilatation.get();
   const Mover<Dim> move(data, 0.5 * step);
   for (Index row = begin; row < end; ++row) {
     if constexpr (is_affine<transfer, Shape>) {
@@ -64,6 +65,13 @@ void project_rows(DynamicsData<Dim>& data, const NodeField<Dim>& field, double s
     double load[components];
     for (int c = 0; c < components; ++c) {
       load[c] = -volume[row] * stress[row * components + c];
+    }
+    if (averaged && averaged->of_body(body[row])) {
+      // The mean stress acts through the cells.
+      const double mean = mean_stress<Dim>(load);
+      for (int axis = 0; axis < Dim; ++axis) {
+        load[axis] -= mean;
+      }
     }
     for (int axis = 0; axis < Dim; ++axis) {
       for (int q = 0; q < quads; ++q) {
@@ -90,6 +98,9 @@ void project_to_grid(DynamicsData<Dim>& data, double step) {
       data.fields.for_each_run(data.points.body().data(), begin, end, project);
     });
   });
+  if (data.dilatation) {
+    add_mean_stress(data);
+  }
 }
 
 template void project_to_grid<2>(DynamicsData<2>&, double);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/mpm/dynamics/cell_parts.hpp"
 #include "lapilli/mpm/dynamics/mover.hpp"
 #include "lapilli/mpm/dynamics/velocity_update.hpp"
 
@@ -88,6 +89,7 @@ template <int Dim, class Shape, bool in_halves, class Read>
   const Index offset = field.offset;
   double* position = data.points.position().data();
   const Index* body = data.points.body().data();
+  PointDilatation<Dim, Shape> dilatation(data, field);
   DeformationBlock<Dim> block;
   PointSums sums;
   for (Index start = begin; start < end; start += block_rows) {
@@ -98,6 +100,9 @@ template <int Dim, class Shape, bool in_halves, class Read>
       const SimdWeights<Dim, Shape> w(axes.value, axes.slope);
       double velocity[Dim], gradient[Dim * Dim];
       read(row, axes, w, velocity, gradient, sums);
+      if (dilatation.counts(body[row])) {
+        dilatation(body[row], axes, gradient);
+      }
       sums.speed = std::max(sums.speed, squared<Dim>(velocity));
       sums.outside = !move(position + row * Dim, velocity) | sums.outside;
       for (int c = 0; c < Dim * Dim; ++c) {
@@ -226,6 +231,9 @@ PointSums update_velocities(DynamicsData<Dim>& data, double step) {
 
 template <int Dim>
 PointSums update_points(DynamicsData<Dim>& data, double step) {
+  if (data.dilatation) {
+    find_mean_dilatation(data);
+  }
   PointSums total;
   with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer transfer>() {
     total = sum_over_points(data.points.size(), [&](Index begin, Index end) {
