@@ -12,8 +12,8 @@ namespace {
 
 /// Soil that falls on the floor and spreads, thrown to one side so that points change strips.
 template <int Dim>
-std::unique_ptr<Run<Dim>> heap(ShapeFunction shape, StressUpdate update,
-                               VelocityTransfer transfer, std::optional<bool> b_bar = {}) {
+std::unique_ptr<Run<Dim>> heap(ShapeFunction shape, StressUpdate update, VelocityTransfer transfer,
+                               std::optional<bool> b_bar = {}) {
   Vec<Dim> upper = Vec<Dim>::Constant(Dim == 2 ? 3.0 : 1.6);
   auto run = std::make_unique<Run<Dim>>(Grid<Dim>(Vec<Dim>::Zero(), upper, 0.1), shape);
   const double size = Dim == 2 ? 1.5 : 0.7;
