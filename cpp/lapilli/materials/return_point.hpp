@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 
 #include "lapilli/core/simd.hpp"
 #include "lapilli/materials/symmetric_tensor.hpp"
@@ -21,20 +22,21 @@ SymmetricTensor return_point(const Law& law, const SymmetricTensor& trial, doubl
 /// six in space (xx, yy, zz, xy, yz, xz).
 template <int components, class Law>
 void return_stresses(const Law& law, double* stress, double* state, int stride, int rows) {
-  for_quads(0, rows, [&law, stress, state, stride]<class Real>(int row) {
+  const auto pitch = static_cast<std::ptrdiff_t>(stride);
+  for_quads(0, rows, [&law, stress, state, pitch]<class Real>(int row) {
     Real s[components], v[std::max(1, Law::states)];
     for (int c = 0; c < components; ++c) {
-      s[c] = load<Real>(stress + c * stride + row);
+      s[c] = load<Real>(stress + c * pitch + row);
     }
     for (int k = 0; k < Law::states; ++k) {
-      v[k] = load<Real>(state + k * stride + row);
+      v[k] = load<Real>(state + k * pitch + row);
     }
     law.return_stress(s, v);
     for (int c = 0; c < components; ++c) {
-      store(stress + c * stride + row, s[c]);
+      store(stress + c * pitch + row, s[c]);
     }
     for (int k = 0; k < Law::states; ++k) {
-      store(state + k * stride + row, v[k]);
+      store(state + k * pitch + row, v[k]);
     }
   });
 }

@@ -49,14 +49,12 @@ class TreeWriter {
 
 template <class T>
 Tree TreeWriter::write(const T& member, const Key& key, const std::string& path) const {
-  if constexpr (std::is_same_v<T, bool>) {
+  if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::string>) {
     return {member, {}};
   } else if constexpr (std::is_same_v<T, double>) {
     return write_number(member, key, path);
   } else if constexpr (std::is_integral_v<T>) {
     return {static_cast<Index>(member), {}};
-  } else if constexpr (std::is_same_v<T, std::string>) {
-    return {member, {}};
   } else if constexpr (std::is_same_v<T, Value>) {
     return write_value(member, key, path);
   } else if constexpr (std::is_same_v<T, SymmetricTensor>) {

@@ -126,7 +126,7 @@ std::array<double, Lanes> SharedStencil<Dim>::own_block(const double* at, const 
   using At = Eigen::Map<const Some>;
   Some sum = Some::Zero();
   const Some here = At(at);
-  const double* mirrored = c + half_ * Lanes;
+  const double* mirrored = c + static_cast<Index>(half_) * Lanes;
   const auto add = [&](const double* up, const double* down) {
     sum += At(c) * (At(up) - here) + At(mirrored) * (At(down) - here);
     c += Lanes;
@@ -163,7 +163,7 @@ void SharedStencil<Dim>::multiply_rows(const double* x, std::size_t begin, std::
             body(place, shared_block<Reach, Lanes>(x + place, c, away));
           } else {
             body(place, own_block<Reach, Lanes>(x + place, c, away));
-            c += 2 * half_ * Lanes;
+            c += 2 * static_cast<Index>(half_) * Lanes;
           }
         }
       };
