@@ -2398,6 +2398,8 @@ class Dynamics:
         flip: share of the nodal velocity, applied once a step; from 0 to 1
     stress_update : typing.Literal['usl', 'musl'], default 'musl'
         which nodal velocity strains the points
+    b_bar : bool | None, default 'auto'
+        points take the mean dilatation of their cell, so that it does not lock; absent: those of a Poisson ratio above 0.4, or whose strength does not grow with pressure
     courant : float, default 0.5
         automatic step over h / (wave speed + point speed); above 0 and at most 1
     grid_boundaries : list[NoSlipBoundary | RollerBoundary | FrictionalBoundary], default []
@@ -2415,13 +2417,21 @@ class Dynamics:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., gravity_factor: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., local_damping: float = ..., damping_until: float | None = ..., transfer: typing.Literal['blended_apic', 'flip', 'apic', 'tpic'] = ..., blend_rate: float = ..., pic_fraction: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., courant: float = ..., grid_boundaries: list[NoSlipBoundary | RollerBoundary | FrictionalBoundary] = ..., obstacles: list[Obstacle] = ..., contacts: list[BodyContact] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
+    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., gravity_factor: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., local_damping: float = ..., damping_until: float | None = ..., transfer: typing.Literal['blended_apic', 'flip', 'apic', 'tpic'] = ..., blend_rate: float = ..., pic_fraction: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., b_bar: bool | None | str = ..., courant: float = ..., grid_boundaries: list[NoSlipBoundary | RollerBoundary | FrictionalBoundary] = ..., obstacles: list[Obstacle] = ..., contacts: list[BodyContact] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
     def __setattr__(self, name: str, value: typing.Any) -> None:
         ...
     def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def b_bar(self) -> bool | None | str:
+        """
+        points take the mean dilatation of their cell, so that it does not lock; absent: those of a Poisson ratio above 0.4, or whose strength does not grow with pressure
+        """
+    @b_bar.setter
+    def b_bar(self, value: bool | None | str) -> None:
         ...
     @property
     def blend_rate(self) -> float:
