@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 import signal
 import sys
 from collections.abc import Sequence
@@ -58,11 +60,15 @@ def main(words: Sequence[str] | None = None) -> int:
         sys.stderr.close()
         return FINISHED
     except OutputError as error:
+        drop_output()
         return report(error, DISK_FAILED, verbose)
     except (RunError, MemoryError) as error:
         return report(error, RUN_FAILED, verbose)
     except (ValueError, OSError) as error:
-        return report(error, DISK_FAILED if is_disk_failure(error) else WRONG_INPUT, verbose)
+        if not is_disk_failure(error):
+            return report(error, WRONG_INPUT, verbose)
+        drop_output()
+        return report(error, DISK_FAILED, verbose)
 
 
 def application() -> App:
@@ -106,6 +112,14 @@ def mistake(error: CycloptsError) -> str:
         return f"{error.argument.name} is missing"
     error.verbose = False
     return " ".join(str(error).split())
+
+
+def drop_output() -> None:
+    """Let what could not be printed go, or the interpreter fails on it once more as it ends."""
+    with contextlib.suppress(OSError, ValueError):
+        sys.stdout.flush()
+    with contextlib.suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def report(error: Exception, code: int, verbose: bool = False) -> int:
