@@ -54,12 +54,19 @@ class DaskCluster:
             import distributed
         except ImportError as error:
             raise ValueError("a scheduler needs Dask: pip install 'lapilli[study]'") from error
-        try:
-            return distributed.Client(self.address, timeout=self.timeout, set_as_default=False)
-        except (OSError, ValueError) as error:
-            raise ValueError(
-                f"no Dask scheduler answers at {self.address} within {self.timeout:g} s: {error}"
-            ) from error
+        attempts = 3  # the thread of a client may not start within ten seconds on a busy machine
+        while True:
+            try:
+                return distributed.Client(self.address, timeout=self.timeout, set_as_default=False)
+            except AssertionError:
+                attempts -= 1
+                if attempts == 0:
+                    raise
+            except (OSError, ValueError) as error:
+                raise ValueError(
+                    f"no Dask scheduler answers at {self.address} within {self.timeout:g} s: "
+                    f"{error}"
+                ) from error
 
     def _last_seen(self, client: Any, seen: float) -> float:
         """When there was a worker last; a ValueError after too long without any."""
