@@ -155,7 +155,7 @@ typename EnthalpyHeat<Dim>::Vector EnthalpyHeat<Dim>::solve_surface(double size,
     base.setIdentity();
     base.diagonal() = capacity;
     solver_.set_base(
-        std::move(base), 0.0,
+        base, 0.0,
         Dim == 3 ? SurfaceSolver::Method::conjugate_gradient : SurfaceSolver::Method::direct,
         coordinates_);
     const Vector change =
