@@ -98,3 +98,26 @@ def test_reading_takes_time_in_proportion_to_the_file():
         return min(best)
 
     assert seconds(40_000) < 3 * 4 * max(seconds(10_000), 1e-3)
+
+
+def test_a_box_that_is_larger_than_its_shape_is_no_reason_to_refuse() -> None:
+    """The box of a difference is that of what is cut."""
+    long = lp.Box(lower=(-10, -1), upper=(10, 1))
+    ends = [lp.Box(lower=(-11, -2), upper=(-1, 2)), lp.Box(lower=(1, -2), upper=(11, 2))]
+    rest = lp.Difference(shape=long, minus=lp.Union(shapes=ends))
+
+    def scene(shape: lp.Shape) -> lp.Scene:
+        unit = lp.Thermal(density=1, specific_heat=1, conductivity=1)
+        return lp.Scene(
+            grid=lp.Grid(lower=(-2, -2), upper=(2, 2), cell=0.25),
+            bodies=[lp.Body(shape=shape, material=[unit])],
+            heat=lp.Heat(),
+            time=lp.Time(end=0.1),
+        )
+
+    simulation = lp.Simulation(scene(rest))
+    assert simulation["volume"].sum() == pytest.approx(4.0)
+    with pytest.raises(ValueError, match="reaches far outside of the grid: along x"):
+        lp.Simulation(scene(long))
+    with pytest.raises(ValueError, match="it spans 290 to 310 m"):
+        lp.Simulation(scene(lp.Translated(shape=rest, by=(300, 0))))

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapilli/core/memory.hpp"
+#include "lapilli/geometry/support.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/place_errors.hpp"
 
@@ -74,8 +75,9 @@ double memory_of_peridynamics(const PeridynamicsSettings& settings, int dimensio
 
 std::string span_of(double lower, double upper) { return message(lower, " to ", upper, " m"); }
 
-/// A box around a turned shape is larger than the shape: only what reaches out by more than the
-/// grid's own size is refused here, the rest point by point once there are points.
+/// Only what reaches out by more than the grid's own size is refused here, the rest point by point
+/// once there are points. A box around a turned shape may be much larger than the shape: then only
+/// one that misses the grid.
 void require_within_reach(const Scene& scene, const Shape& shape, const std::string& path) {
   const Bounds grid = grid_bounds(scene);
   const int dimension = dimension_of(scene);
@@ -84,10 +86,13 @@ void require_within_reach(const Scene& scene, const Shape& shape, const std::str
     size = std::max(size, grid.upper[axis] - grid.lower[axis]);
   }
   at_place(scene, path, [&] { check(shape, dimension); });
-  const Bounds box = bounds(shape);
+  const TightBounds there = tight_bounds(shape);
+  const Bounds box = there.box;
   for (int axis = 0; axis < dimension; ++axis) {
-    const bool below = std::isfinite(box.lower[axis]) && box.lower[axis] < grid.lower[axis] - size;
-    const bool above = std::isfinite(box.upper[axis]) && box.upper[axis] > grid.upper[axis] + size;
+    const double near = there.is_tight ? box.lower[axis] : box.upper[axis];
+    const double far = there.is_tight ? box.upper[axis] : box.lower[axis];
+    const bool below = std::isfinite(near) && near < grid.lower[axis] - size;
+    const bool above = std::isfinite(far) && far > grid.upper[axis] + size;
     require_at(!below && !above, scene, path, "reaches far outside of the grid: along ",
                "xyz"[axis], " it spans ", span_of(box.lower[axis], box.upper[axis]), ", the grid ",
                span_of(grid.lower[axis], grid.upper[axis]));
