@@ -44,10 +44,13 @@ struct Block {
     MohrCoulomb soil;
     soil.elastic = {2000.0, 1e6, 0.3};
     soil.friction_angle = 30.0;
-    problem.bodies.push_back(
-        {soil, 0.5 / setting.per_axis,
-         [](const Vec3& x) { return Vec3(x[1] - 0.05 * x[0], -0.05 * x[1], 0.2 * x[0]); },
-         [](const Vec3&) { return SymmetricTensor(-1e3); }});
+    DynamicsBody& body = problem.bodies.emplace_back();
+    body.material = soil;
+    body.half_width = 0.5 / setting.per_axis;
+    body.velocity = [](const Vec3& x) {
+      return Vec3(x[1] - 0.05 * x[0], -0.05 * x[1], 0.2 * x[0]);
+    };
+    body.stress = [](const Vec3&) { return SymmetricTensor(-1e3); };
     problem.settings.stress_update = setting.update;
     problem.settings.transfer = setting.transfer;
     solver = make_dynamics<Dim>(points, problem);

@@ -37,7 +37,8 @@ Scene scene_of(const Setting& setting) {
   body.shape = Shape(box);
   body.points_per_cell = setting.points_per_cell;
   Thermal material;
-  material.density = material.specific_heat = 1.0;
+  material.density = 1.0;
+  material.specific_heat = 1.0;
   material.conductivity = 1.0;
   body.material = {material};
   body.temperature = Value(ArrayFunction(
