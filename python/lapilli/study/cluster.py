@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import time
 from collections.abc import Iterator, Sequence
 from typing import Any
@@ -54,19 +55,16 @@ class DaskCluster:
             import distributed
         except ImportError as error:
             raise ValueError("a scheduler needs Dask: pip install 'lapilli[study]'") from error
-        attempts = 3  # the thread of a client may not start within ten seconds on a busy machine
-        while True:
-            try:
-                return distributed.Client(self.address, timeout=self.timeout, set_as_default=False)
-            except AssertionError:
-                attempts -= 1
-                if attempts == 0:
-                    raise
-            except (OSError, ValueError) as error:
-                raise ValueError(
-                    f"no Dask scheduler answers at {self.address} within {self.timeout:g} s: "
-                    f"{error}"
-                ) from error
+        try:
+            return distributed.Client(self.address, timeout=self.timeout, set_as_default=False)
+        except (OSError, ValueError) as error:
+            reason = str(error)
+        # A client that did not start must close here: found by the garbage collector while another
+        # one starts, it would wait for the lock that the other holds.
+        gc.collect()
+        raise ValueError(
+            f"no Dask scheduler answers at {self.address} within {self.timeout:g} s: {reason}"
+        )
 
     def _last_seen(self, client: Any, seen: float) -> float:
         """When there was a worker last; a ValueError after too long without any."""

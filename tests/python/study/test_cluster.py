@@ -1,5 +1,6 @@
 """A study on a real Dask scheduler with two workers on this machine, one of which is killed."""
 
+import gc
 import os
 import signal
 import socket
@@ -96,6 +97,21 @@ def test_a_scheduler_that_does_not_answer_is_named(
     words = ["study", "ring.toml", "--vary", "grid.cell=1", "--scheduler", "nonsense"]
     assert main(words) == 2
     assert "nonsense" in capsys.readouterr().err
+
+
+def test_a_client_that_did_not_start_is_gone() -> None:
+    """Found by the garbage collector while another one starts, it would wait for that one."""
+    distributed = pytest.importorskip("distributed")
+
+    def clients() -> int:
+        return sum(isinstance(one, distributed.Client) for one in gc.get_objects())
+
+    before = clients()
+    for address in ("nonsense", f"tcp://127.0.0.1:{free_port()}"):
+        with pytest.raises(ValueError, match="no Dask scheduler answers") as caught:
+            DaskCluster(address, timeout=0.5)._connect()
+        assert caught.value.__context__ is None
+    assert clients() == before
 
 
 def test_a_scheduler_without_workers_is_given_up(ring: lp.Scene) -> None:
