@@ -20,20 +20,25 @@ RisingIntegral::RisingIntegral(const TemperatureTable& slope, double unit) {
   sum_up();
 }
 
+std::size_t RisingIntegral::segment_up_to(double temperature) const {
+  const auto beyond = std::ranges::upper_bound(segments_, temperature, {}, &Segment::temperature);
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(beyond - segments_.begin(), 1) - 1);
+}
+
+std::size_t RisingIntegral::segment_below(double temperature) const {
+  const auto beyond = std::ranges::lower_bound(segments_, temperature, {}, &Segment::temperature);
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(beyond - segments_.begin(), 1) - 1);
+}
+
 void RisingIntegral::split(double temperature) {
   const Segment& first = segments_.front();
   if (temperature < first.temperature) {
     segments_.insert(segments_.begin(), 2, {temperature, 0.0, 0.0, first.start, 0.0});
     return;
   }
-  std::size_t k = segments_.size();
-  while (segments_[k - 1].temperature > temperature) {
-    --k;
-  }
-  const Segment& from = segments_[k - 1];
-  const double start = from.start + 2.0 * from.bend * (temperature - from.temperature);
-  segments_.insert(segments_.begin() + static_cast<std::ptrdiff_t>(k),
-                   {temperature, 0.0, 0.0, start, k > 1 ? from.bend : 0.0});
+  const std::size_t k = segment_up_to(temperature);
+  segments_.insert(segments_.begin() + static_cast<std::ptrdiff_t>(k) + 1,
+                   {temperature, 0.0, 0.0, slope(temperature), k > 0 ? segments_[k].bend : 0.0});
 }
 
 void RisingIntegral::add_rise(double begin, double end, double amount) {
@@ -46,11 +51,7 @@ void RisingIntegral::add_rise(double begin, double end, double amount) {
       }
     }
   } else {
-    std::size_t last = segments_.size() - 1;
-    while (segments_[last].temperature > begin) {
-      --last;
-    }
-    segments_[last].rise += amount;
+    segments_[segment_up_to(begin)].rise += amount;
   }
   sum_up();
 }
@@ -68,33 +69,25 @@ void RisingIntegral::sum_up() {
 }
 
 double RisingIntegral::at(double temperature) const {
-  std::size_t k = segments_.size();
-  while (k > 1 && segments_[k - 1].temperature >= temperature) {
-    --k;
-  }
-  const Segment& from = segments_[k - 1];
+  const Segment& from = segments_[segment_below(temperature)];
   const double way = temperature - from.temperature;
   return from.value + (from.start + from.bend * way) * way - origin_;
 }
 
 double RisingIntegral::slope(double temperature) const {
-  std::size_t k = segments_.size();
-  while (k > 1 && segments_[k - 1].temperature > temperature) {
-    --k;
-  }
-  const Segment& from = segments_[k - 1];
+  const Segment& from = segments_[segment_up_to(temperature)];
   return from.start + 2.0 * from.bend * (temperature - from.temperature);
 }
 
 RisingIntegral::Place RisingIntegral::inverse(double value) const {
   const double wanted = value + origin_;
-  std::size_t k = segments_.size();
-  while (k > 1 && segments_[k - 1].value - segments_[k - 1].rise > wanted) {
-    --k;
-  }
-  const Segment& from = segments_[k - 1];
+  // Below the second segment the first one goes on for ever.
+  const auto beyond = std::partition_point(
+      segments_.begin() + 1, segments_.end(),
+      [&](const Segment& segment) { return segment.value - segment.rise <= wanted; });
+  const Segment& from = *(beyond - 1);
   const double left = wanted - from.value;
-  if (k > 1 && left <= 0.0) {
+  if (beyond - 1 != segments_.begin() && left <= 0.0) {
     return {from.temperature, left < 0.0 ? 0.0 : 1.0 / from.start};
   }
   const double root = std::sqrt(std::max(0.0, from.start * from.start + 4.0 * from.bend * left));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "lapilli/materials/thermal.hpp"
@@ -34,10 +35,14 @@ class RisingIntegral {
   struct Segment {
     double temperature, rise, value, start, bend;
   };
+  /// The last segment from `temperature` on, or from below it where they are equal; the first where
+  /// there is none.
+  std::size_t segment_up_to(double temperature) const;
+  std::size_t segment_below(double temperature) const;
   void split(double temperature);
   void sum_up();
 
-  double origin_ = 0.0;  // value of the first segment, so that zero is at zero
+  double origin_ = 0.0;  // what the segments have at zero
   std::vector<Segment> segments_;
 };
 
