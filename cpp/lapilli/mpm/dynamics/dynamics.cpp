@@ -110,9 +110,13 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
 /// The mean over the step; what the points' potential energy changes by, gravity puts in.
 template <int Dim>
 void Dynamics<Dim>::turn_gravity(const Step& step) {
+  const Vec3 gravity = place(data_.settings.gravity) *
+                       data_.settings.gravity_factor.mean(step.time, step.time + step.size);
+  if (gravity == data_.gravity) {
+    return;
+  }
   const double before = potential_energy();
-  data_.gravity = place(data_.settings.gravity) *
-                  data_.settings.gravity_factor.mean(step.time, step.time + step.size);
+  data_.gravity = gravity;
   flows_.gravity_changes += potential_energy() - before;
 }
 
