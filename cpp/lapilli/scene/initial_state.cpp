@@ -33,19 +33,19 @@ InitialState::InitialState(const Scene& scene)
              name.substr(0, name.size() - std::string(".vtkhdf").size()), ".checkpoint");
   Checkpoint checkpoint =
       in_file(scene, "initial_state", [&] { return load_checkpoint(scene.initial_state); });
-  state_ = std::move(checkpoint.state);
+  state_ = std::make_shared<const Archive>(std::move(checkpoint.state));
   const auto settings = settings_in(checkpoint.identity);
   const auto transfer = settings.find("dynamics.transfer");
   same_transfer_ =
       transfer != settings.end() && transfer->second == name_of(scene.dynamics->transfer);
 
-  const std::vector<Index> ids = state_.read_indices("points/id");
-  const std::vector<Index> bodies = state_.read_indices("points/body");
+  const std::vector<Index> ids = state_->read_indices("points/id");
+  const std::vector<Index> bodies = state_->read_indices("points/body");
   std::vector<Index> by_id(ids.size());
   for (std::size_t row = 0; row < ids.size(); ++row) {
     by_id[ids[row]] = static_cast<Index>(row);
   }
-  require_at(state_.read_numbers("points/position").size() == ids.size() * dimension_, scene,
+  require_at(state_->read_numbers("points/position").size() == ids.size() * dimension_, scene,
              "initial_state", "is of a run of another dimension");
   std::string known;
   for (Index number = 0;; ++number) {
@@ -71,8 +71,8 @@ InitialState::InitialState(const Scene& scene)
 }
 
 void InitialState::replace(std::vector<FilledPoints>& filled) const {
-  const std::vector<double> position = state_.read_numbers("points/position");
-  const std::vector<double> volume = state_.read_numbers("points/volume");
+  const std::vector<double> position = state_->read_numbers("points/position");
+  const std::vector<double> volume = state_->read_numbers("points/volume");
   for (std::size_t body = 0; body < filled.size(); ++body) {
     if (!continues(body)) {
       continue;

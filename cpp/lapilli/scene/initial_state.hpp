@@ -24,7 +24,7 @@ class InitialState {
   std::shared_ptr<const PointStart> points(const std::vector<FilledPoints>& filled) const;
 
  private:
-  Archive state_;
+  std::shared_ptr<const Archive> state_;
   int dimension_;
   bool same_transfer_ = false;
   std::vector<std::vector<Index>> rows_;  // of the other run, by body, in the order of their ids

@@ -9,7 +9,7 @@ namespace lapilli {
 template <int Dim>
 void PointStart::apply(DynamicsData<Dim>& data) const {
   const auto fetch = [&](const std::string& name, PointArray& into) {
-    const std::vector<double> from = state.read_numbers(name);
+    const std::vector<double> from = state->read_numbers(name);
     const auto width = static_cast<Index>(into.components());
     for (Index here = 0; here < data.points.size(); ++here) {
       const Index there = row[data.points.id()[here]];
@@ -22,25 +22,25 @@ void PointStart::apply(DynamicsData<Dim>& data) const {
       }
     }
   };
-  require(state.contains("dynamics/velocity"),
+  require(state->contains("dynamics/velocity"),
           "the state to start from is of a run without [dynamics]");
   fetch("dynamics/mass", data.mass);
   fetch("dynamics/velocity", data.velocity);
   fetch("dynamics/stress", data.stress);
-  if (data.affine && same_transfer && state.contains("dynamics/affine")) {
+  if (data.affine && same_transfer && state->contains("dynamics/affine")) {
     fetch("dynamics/affine", *data.affine);
     fetch("dynamics/carried", *data.carried);
   } else if (data.carried) {
     fetch("dynamics/velocity", *data.carried);
   }
-  if (data.opened && state.contains("dynamics/opened")) {
+  if (data.opened && state->contains("dynamics/opened")) {
     fetch("dynamics/opened", *data.opened);
   }
-  if (data.strain_rate && state.contains("dynamics/strain_rate")) {
+  if (data.strain_rate && state->contains("dynamics/strain_rate")) {
     fetch("dynamics/strain_rate", *data.strain_rate);
   }
   for (const auto& [name, values] : data.states.arrays()) {
-    if (state.contains("dynamics/state/" + name)) {
+    if (state->contains("dynamics/state/" + name)) {
       fetch("dynamics/state/" + name, *values);
     }
   }

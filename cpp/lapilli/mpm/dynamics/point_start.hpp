@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "lapilli/core/archive.hpp"
@@ -9,7 +10,7 @@ namespace lapilli {
 
 /// The state in which another run left points that this one goes on with.
 struct PointStart {
-  Archive state;           // of the other run
+  std::shared_ptr<const Archive> state;  // of the other run
   std::vector<Index> row;  // in it, by id of the point here; -1 for points that start anew
   bool same_transfer;      // whether what points carry of the velocity means the same
 
