@@ -57,8 +57,8 @@ std::unique_ptr<Points> points_of(const Scene& scene, const std::vector<FilledPo
   return points;
 }
 
-// Distance to the union of the bodies; none where a body is known by its points only.
-DistanceFunction distance_of(const Scene& scene) {
+// The shapes of all bodies where they stand; none where a body is known by its points only.
+std::vector<Shape> shapes_of(const Scene& scene) {
   std::vector<Shape> shapes;
   for (const Body& body : scene.bodies) {
     const std::optional<Shape> shape = placed_shape(body);
@@ -66,6 +66,15 @@ DistanceFunction distance_of(const Scene& scene) {
       return {};
     }
     shapes.push_back(*shape);
+  }
+  return shapes;
+}
+
+// Distance to the union of the bodies; none where a body is known by its points only.
+DistanceFunction distance_of(const Scene& scene) {
+  std::vector<Shape> shapes = shapes_of(scene);
+  if (shapes.empty()) {
+    return {};
   }
   return [all = Union{std::move(shapes)}](const Vec3& at) { return all.distance(at); };
 }
@@ -116,20 +125,13 @@ std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
 
 std::unique_ptr<Physics> quasi_static_of(const Scene& scene, Points& points) {
   std::vector<Solid> materials;
-  std::vector<Shape> shapes;
   for (const Body& body : scene.bodies) {
     materials.push_back(solids_in(body).front());
-    if (const std::optional<Shape> shape = placed_shape(body)) {
-      shapes.push_back(*shape);
-    }
-  }
-  if (shapes.size() < scene.bodies.size()) {
-    shapes.clear();  // not all are known
   }
   return at_place(scene, "quasi_static", [&] {
     return make_quasi_static(points, place(scene.grid.lower), place(scene.grid.upper),
                              scene.grid.cell, scene.grid.shape_function, std::move(materials),
-                             *scene.quasi_static, std::move(shapes));
+                             *scene.quasi_static, shapes_of(scene));
   });
 }
 
@@ -181,16 +183,10 @@ std::unique_ptr<Dynamics<Dim>> dynamics_of(const Scene& scene, const Grid<Dim>& 
     body.stress = stress.of(k);
     problem.bodies.push_back(std::move(body));
   }
-  for (const Body& body : scene.bodies) {
-    if (const std::optional<Shape> shape = placed_shape(body); shape && !initial) {
-      problem.shapes.push_back(*shape);
-    }
-  }
-  if (problem.shapes.size() < scene.bodies.size()) {
-    problem.shapes.clear();
-  }
   if (initial) {
     problem.start = initial->points(filled);
+  } else {
+    problem.shapes = shapes_of(scene);
   }
   return at_place(scene, "dynamics", [&] { return make_dynamics<Dim>(points, problem); });
 }

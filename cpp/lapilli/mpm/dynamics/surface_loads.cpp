@@ -1,7 +1,6 @@
 #include "lapilli/mpm/dynamics/surface_loads.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/cell_sums.hpp"
@@ -14,6 +13,14 @@ namespace {
 
 const Shape* region_of(const DynamicsBoundary& law) {
   return std::visit([](const auto& l) { return l.region ? &*l.region : nullptr; }, law);
+}
+
+std::vector<const Shape*> regions_of(const std::vector<DynamicsBoundary>& laws) {
+  std::vector<const Shape*> regions;
+  for (const DynamicsBoundary& law : laws) {
+    regions.push_back(region_of(law));
+  }
+  return regions;
 }
 
 constexpr int smoothing = 2;  // passes over the fraction, for its normals
@@ -84,19 +91,11 @@ SurfaceLoads<Dim>::SurfaceLoads(const DynamicsData<Dim>& data, const DynamicsPro
 template <int Dim>
 void SurfaceLoads<Dim>::compare_with_shapes(const DynamicsData<Dim>& data,
                                             const DynamicsProblem<Dim>& problem) {
-  if (problem.shapes.empty()) {
-    return;
+  if (!problem.shapes.empty()) {
+    ratios_ = AreaRatios(areas_of_shapes<Dim>(data.grid, data.shape, problem.shapes,
+                                              regions_of(laws_), contact_faces(data.walls)));
+    ratios_.match(nodes_);
   }
-  std::vector<const Shape*> regions;
-  std::vector<double> found;
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    regions.push_back(region_of(laws_[law]));
-    found.push_back(std::accumulate(nodes_[law].area.begin(), nodes_[law].area.end(), 0.0));
-  }
-  ratios_ = AreaRatios(areas_of_shapes<Dim>(data.grid, data.shape, problem.shapes, regions,
-                                            contact_faces(data.walls)));
-  ratios_.compare(found);
-  find_surface(data);
 }
 
 template <int Dim>
@@ -143,16 +142,12 @@ void SurfaceLoads<Dim>::find_surface(const DynamicsData<Dim>& data) {
     version_ = data.points.version();
   }
   const NodalAreas<Dim> areas = free_areas(data.grid);
-  std::vector<const Shape*> regions;
-  for (const DynamicsBoundary& law : laws_) {
-    regions.push_back(region_of(law));
-  }
   const auto parts = divide_surface<Dim>(
       data.grid, areas,
       [&] {
         return surface_places<Dim>(data.grid, data.points, data.shape, data.half_widths, areas);
       },
-      regions);
+      regions_of(laws_));
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     Nodes& nodes = nodes_[law];
     nodes = {};

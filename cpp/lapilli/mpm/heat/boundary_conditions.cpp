@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
@@ -16,6 +15,14 @@ bool is_held(const HeatBoundary& law) { return std::holds_alternative<Prescribed
 
 const Shape* region_of(const HeatBoundary& law) {
   return std::visit([](const auto& l) { return l.region ? &*l.region : nullptr; }, law);
+}
+
+std::vector<const Shape*> regions_of(const std::vector<HeatBoundary>& laws) {
+  std::vector<const Shape*> regions;
+  for (const HeatBoundary& law : laws) {
+    regions.push_back(region_of(law));
+  }
+  return regions;
 }
 
 std::string name_of_law(const HeatBoundary& law, std::size_t index) {
@@ -76,11 +83,7 @@ void BoundaryConditions<Dim>::assign(
     nodes.normal.clear();
     nodes.position.clear();
   }
-  std::vector<const Shape*> regions;
-  for (const HeatBoundary& law : laws_) {
-    regions.push_back(region_of(law));
-  }
-  const auto parts = divide_surface<Dim>(grid, areas, places, regions);
+  const auto parts = divide_surface<Dim>(grid, areas, places, regions_of(laws_));
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     // Only a flux that does not depend on the temperature may act on negative areas.
     const auto* flux = std::get_if<Flux>(&laws_[law]);
@@ -97,16 +100,7 @@ void BoundaryConditions<Dim>::assign(
     }
   }
   if (!ratios_.are_known()) {
-    std::vector<double> found;
-    for (const Nodes& nodes : nodes_) {
-      found.push_back(std::accumulate(nodes.area.begin(), nodes.area.end(), 0.0));
-    }
-    ratios_.compare(found);
-    for (std::size_t law = 0; law < laws_.size(); ++law) {
-      for (double& area : nodes_[law].area) {
-        area *= ratios_.of(law);
-      }
-    }
+    ratios_.match(nodes_);
   }
   for (Nodes& nodes : nodes_) {
     nodes.state.resize(nodes.node.size());

@@ -125,6 +125,7 @@ class BoundaryConditions {
 
 /// The region of a law, null when it takes what is left.
 const Shape* region_of(const HeatBoundary& law);
+std::vector<const Shape*> regions_of(const std::vector<HeatBoundary>& laws);
 /// "convection 2" or the name the user gave.
 std::string name_of_law(const HeatBoundary& law, std::size_t index);
 

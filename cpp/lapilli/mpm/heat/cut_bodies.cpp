@@ -23,15 +23,25 @@ PairEntries resisting_pairs(const std::vector<HeatBody>& bodies,
 }
 
 template <int Dim>
+HeatProblem<Dim> with_kinks(HeatProblem<Dim> problem) {
+  const auto kinks = [&](const HeatBody& body) {
+    return body.material.melts() ||
+           body.material.conductivity != problem.bodies.front().material.conductivity;
+  };
+  if (problem.shape == ShapeFunction::gimp &&
+      std::any_of(problem.bodies.begin(), problem.bodies.end(), kinks)) {
+    problem.shape = ShapeFunction::linear;
+  }
+  return problem;
+}
+
+template <int Dim>
 CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> shapes,
                       std::size_t body, const PairEntries& resisting, SurfaceFound& found) {
   using Division = SurfaceDivision<Dim>;
   CutBody<Dim> made;
   made.cells = cut_shape<Dim>(shapes[body], problem.grid, CubeLayout(problem.shape));
-  std::vector<const Shape*> regions;
-  for (const HeatBoundary& law : problem.settings.boundaries) {
-    regions.push_back(region_of(law));
-  }
+  const std::vector<const Shape*> regions = regions_of(problem.settings.boundaries);
   made.pieces.resize(regions.size());
   Division division(problem.grid, shapes, body, regions, problem.walls);
   for (const CellCut<Dim>& cell : made.cells) {
@@ -72,6 +82,9 @@ std::vector<std::vector<std::size_t>> groups_of(
   return groups;
 }
 
+template HeatProblem<1> with_kinks(HeatProblem<1>);
+template HeatProblem<2> with_kinks(HeatProblem<2>);
+template HeatProblem<3> with_kinks(HeatProblem<3>);
 template CutBody<1> cut_body(const HeatProblem<1>&, std::span<const Shape>, std::size_t,
                              const PairEntries&, SurfaceFound&);
 template CutBody<2> cut_body(const HeatProblem<2>&, std::span<const Shape>, std::size_t,

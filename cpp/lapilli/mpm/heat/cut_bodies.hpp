@@ -14,6 +14,12 @@ namespace lapilli {
 PairEntries resisting_pairs(const std::vector<HeatBody>& bodies,
                             const std::vector<HeatContact>& contacts);
 
+/// The problem with linear functions in place of GIMP ones where a material melts or two
+/// conductivities meet. Smooth functions cannot follow the kinks of the temperature there: they
+/// conduct 5 % too much across a ratio of 10 at twenty cells, linear ones .2 %.
+template <int Dim>
+HeatProblem<Dim> with_kinks(HeatProblem<Dim> problem);
+
 /// A body cut by the grid, and its surface divided among the laws.
 template <int Dim>
 struct CutBody {

@@ -5,6 +5,7 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/asks_for_points.hpp"
+#include "lapilli/mpm/heat/cut_bodies.hpp"
 #include "lapilli/mpm/heat/part_sources.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
 #include "lapilli/mpm/transfer/cell_order.hpp"
@@ -27,28 +28,10 @@ bool CutCellHeat<Dim>::suits(const HeatProblem<Dim>& problem) {
                      [](const HeatBody& body) { return body.shape.has_value(); });
 }
 
-namespace {
-
-/// Smooth shape functions cannot follow the kink of the temperature between two conductivities:
-/// GIMP functions conduct 5 % too much across a ratio of 10 at twenty cells, linear ones .2 %.
-template <int Dim>
-HeatProblem<Dim> with_kinks(HeatProblem<Dim> problem) {
-  const auto differs = [&](const HeatBody& body) {
-    return body.material.conductivity != problem.bodies.front().material.conductivity;
-  };
-  if (problem.shape == ShapeFunction::gimp &&
-      std::any_of(problem.bodies.begin(), problem.bodies.end(), differs)) {
-    problem.shape = ShapeFunction::linear;
-  }
-  return problem;
-}
-
-}  // namespace
-
 template <int Dim>
 CutCellHeat<Dim>::CutCellHeat(Points& points, HeatProblem<Dim> problem)
     : points_(points),
-      problem_(with_kinks(std::move(problem))),
+      problem_(with_kinks<Dim>(std::move(problem))),
       coefficients_(problem_.bodies, problem_.shape),
       laws_(problem_.settings.boundaries, absolute_zero(problem_.settings)),
       part_of_(problem_.bodies.size(), 0) {
@@ -109,9 +92,6 @@ void CutCellHeat<Dim>::bound_step(const std::vector<double>& rates) {
 
 template <int Dim>
 StepLimit CutCellHeat<Dim>::step_limit() const {
-  // What has just begun goes as the root of the time: steps grow with the time since, by powers of
-  // two, so that factors of the surface serve many.
-  constexpr double smallest = 1.0 / 16.0, growth = 0.25;
   StepLimit limit = limit_;
   if (adaptive_.are_implicit()) {
     limit.hard = std::numeric_limits<double>::infinity();
@@ -121,10 +101,8 @@ StepLimit CutCellHeat<Dim>::step_limit() const {
     limit.reason = adaptive_.reason();
     return limit;
   }
-  const double since = time_ - laws_.last_jump(time_);
-  if (!is_implicit() && !laws_.empty() && std::isfinite(limit.automatic)) {
-    const double share = std::clamp(growth * since / limit_.automatic, smallest, 1.0);
-    limit.automatic *= std::exp2(std::round(std::log2(share)));
+  if (!is_implicit()) {
+    limit.automatic = laws_.step_since_jump(time_, limit.automatic);
   }
   return limit;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/mpm/heat/cut_bodies.hpp"
 #include "lapilli/mpm/heat/part_sources.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
 #include "lapilli/mpm/heat/weak_exchange.hpp"
@@ -17,29 +18,10 @@ bool EnthalpyHeat<Dim>::is_needed(const HeatProblem<Dim>& problem) {
                      [](const HeatBody& body) { return body.material.varies(); });
 }
 
-namespace {
-
-/// Smooth shape functions cannot follow the kinks of the temperature where a material melts or
-/// where two of them meet, and linear ones keep temperatures between those around.
-template <int Dim>
-HeatProblem<Dim> with_kinks(HeatProblem<Dim> problem) {
-  const auto kinks = [&](const HeatBody& body) {
-    return body.material.melts() ||
-           body.material.conductivity != problem.bodies.front().material.conductivity;
-  };
-  if (problem.shape == ShapeFunction::gimp &&
-      std::any_of(problem.bodies.begin(), problem.bodies.end(), kinks)) {
-    problem.shape = ShapeFunction::linear;
-  }
-  return problem;
-}
-
-}  // namespace
-
 template <int Dim>
 EnthalpyHeat<Dim>::EnthalpyHeat(Points& points, HeatProblem<Dim> problem)
     : points_(points),
-      problem_(with_kinks(std::move(problem))),
+      problem_(with_kinks<Dim>(std::move(problem))),
       coefficients_(problem_.bodies, problem_.shape),
       laws_({}),
       part_of_(problem_.bodies.size(), 0),
@@ -103,14 +85,8 @@ void EnthalpyHeat<Dim>::bound_step() {
 
 template <int Dim>
 StepLimit EnthalpyHeat<Dim>::step_limit() const {
-  // As in CutCellHeat: what has just begun goes as the root of the time.
-  constexpr double smallest = 1.0 / 16.0, growth = 0.25;
   StepLimit limit = limit_;
-  const double since = time_ - laws_.last_jump(time_);
-  if (!laws_.empty() && std::isfinite(limit.automatic)) {
-    const double share = std::clamp(growth * since / limit_.automatic, smallest, 1.0);
-    limit.automatic *= std::exp2(std::round(std::log2(share)));
-  }
+  limit.automatic = laws_.step_since_jump(time_, limit.automatic);
   return limit;
 }
 

@@ -144,12 +144,9 @@ void ParticleHeat<Dim>::compare_with_shapes() {
       shapes.size() < problem_.bodies.size()) {
     return;
   }
-  std::vector<const Shape*> regions;
-  for (const HeatBoundary& law : problem_.settings.boundaries) {
-    regions.push_back(region_of(law));
-  }
-  laws_.compare_areas(AreaRatios(
-      areas_of_shapes<Dim>(problem_.grid, problem_.shape, shapes, regions, problem_.walls)));
+  laws_.compare_areas(
+      AreaRatios(areas_of_shapes<Dim>(problem_.grid, problem_.shape, shapes,
+                                      regions_of(problem_.settings.boundaries), problem_.walls)));
 }
 
 template <int Dim>

@@ -85,6 +85,15 @@ double SurfaceConditions::last_jump(double time) const {
   return last;
 }
 
+double SurfaceConditions::step_since_jump(double time, double largest) const {
+  constexpr double smallest = 1.0 / 16.0, growth = 0.25;
+  if (empty() || !std::isfinite(largest)) {
+    return largest;
+  }
+  const double share = std::clamp(growth * (time - last_jump(time)) / largest, smallest, 1.0);
+  return largest * std::exp2(std::round(std::log2(share)));
+}
+
 double SurfaceConditions::next_entry(double time) const {
   double next = std::numeric_limits<double>::infinity();
   for (const HeatBoundary& law : laws_) {

@@ -47,6 +47,10 @@ class SurfaceConditions {
   void take_hold_over(double span) { hold_span_ = span; }
   /// The last jump of a table up to this time; the start where there is none, s.
   double last_jump(double time) const;
+  /// An automatic step at this time, s, at most `largest`. What has just begun goes as the root of
+  /// the time: steps grow with the time since, by powers of two, so that factors of the surface
+  /// serve many.
+  double step_since_jump(double time, double largest) const;
   /// The next time at which a table of any law has an entry, s; infinite where none has.
   double next_entry(double time) const;
 

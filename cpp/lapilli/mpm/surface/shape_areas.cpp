@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "lapilli/mpm/surface/cut_shape.hpp"
 #include "lapilli/mpm/surface/divide_pieces.hpp"
@@ -29,13 +30,11 @@ std::vector<double> areas_of_shapes(const Grid<Dim>& grid, ShapeFunction functio
   return areas;
 }
 
-void AreaRatios::compare(std::span<const double> found) {
+double AreaRatios::ratio_to(double wanted, std::span<const double> areas) {
   // Beyond this the nodes have found another surface than that of the shape.
   constexpr double most = 3.0;
-  for (std::size_t condition = 0; condition < wanted_.size(); ++condition) {
-    const double ratio = wanted_[condition] / found[condition];
-    ratio_.push_back(ratio > 1.0 / most && ratio < most ? ratio : 1.0);
-  }
+  const double ratio = wanted / std::accumulate(areas.begin(), areas.end(), 0.0);
+  return ratio > 1.0 / most && ratio < most ? ratio : 1.0;
 }
 
 double AreaRatios::farthest() const {

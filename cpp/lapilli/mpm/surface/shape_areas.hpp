@@ -29,8 +29,17 @@ class AreaRatios {
 
   /// Whether the start has been looked at, or there is nothing to compare it with.
   bool are_known() const { return wanted_.empty() || !ratio_.empty(); }
-  /// Compare with the areas found at the start, by condition.
-  void compare(std::span<const double> found);
+  /// Compare with the areas found at the start, by condition, and scale these.
+  template <class Nodes>
+  void match(std::vector<Nodes>& nodes) {
+    for (std::size_t condition = 0; condition < wanted_.size(); ++condition) {
+      std::vector<double>& areas = nodes[condition].area;
+      ratio_.push_back(ratio_to(wanted_[condition], areas));
+      for (double& area : areas) {
+        area *= ratio_.back();
+      }
+    }
+  }
   double of(std::size_t condition) const { return ratio_.empty() ? 1.0 : ratio_[condition]; }
   /// The farthest ratio from 1.
   double farthest() const;
@@ -39,6 +48,8 @@ class AreaRatios {
   void restore(std::vector<double> ratios) { ratio_ = std::move(ratios); }
 
  private:
+  static double ratio_to(double wanted, std::span<const double> areas);
+
   std::vector<double> wanted_, ratio_;
 };
 
