@@ -19,7 +19,17 @@ struct Known {
   const char* meaning;
 };
 
+// A name may begin or go on with others where a pattern has an underscore; the last one counts.
 constexpr Known known_diagnostics[] = {
+    {"_force_", "N", true, "force on an obstacle, a component"},
+    {"_torque_", "N m", true, "torque on an obstacle about its centre, a component"},
+    {"_work", "J", true, "work of an obstacle on the material so far"},
+    {"_contacts", "", false, "points that an obstacle pushes now"},
+    {"_position_", "m", false, "place of the centre of an obstacle, a component"},
+    {"_velocity_", "m/s", false, "velocity of the centre of an obstacle, a component"},
+    {"_spin_", "rad/s", false, "angular velocity of an obstacle, a component"},
+    {"_angle", "rad", false, "angle by which an obstacle has turned"},
+    {"_kinetic_energy", "J", true, "kinetic energy of an obstacle"},
     {"surface_area", "m^2", true, "area of the surface that boundary conditions act on"},
     {"free_surface_area", "m^2", true, "area of all free surface of the bodies' shapes"},
     {"area_ratio", "", false,
@@ -80,7 +90,10 @@ const Known* known_as(const std::string& name) {
   const Known* best = nullptr;
   for (const Known& known : known_diagnostics) {
     const std::string pattern = known.name;
-    if (pattern == name || (pattern.back() == '_' && name.starts_with(pattern))) {
+    const bool opens = pattern.front() == '_', goes_on = pattern.back() == '_';
+    const std::size_t at = name.find(pattern);
+    if (pattern == name || (at != std::string::npos && (opens || at == 0) &&
+                            (goes_on || (opens && name.ends_with(pattern))))) {
       best = &known;
     }
   }

@@ -97,7 +97,7 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   const double moved = step.size * std::max(speed_, sums.speed);
   drift_ += moved;
   if (obstacles_) {
-    obstacles_->finish_step(step, moved, !data_.moves_with_mean);
+    obstacles_->finish_step(step, moved, !data_.moves_with_mean, local_damping(step.time));
   }
   speed_ = sums.speed;
   wave_speed_ = sums.wave_speed;
@@ -132,15 +132,21 @@ NodeSums Dynamics<Dim>::solve_nodes(const Step& step) {
     obstacles_->push(data_, step, speed_, sums);
   }
   hold_nodes(data_, step.size, sums);
-  const DynamicsSettings& settings = data_.settings;
-  if (settings.local_damping > 0.0 &&
-      !(settings.damping_until && step.time >= *settings.damping_until)) {
-    damp_nodes(data_, settings.local_damping, sums);
+  if (const double damping = local_damping(step.time); damping > 0.0) {
+    damp_nodes(data_, damping, sums);
   }
   if (data_.nodes.fades()) {
     blend_nodes(data_, step.size);
   }
   return sums;
+}
+
+/// The share in a step that begins at `time`.
+template <int Dim>
+double Dynamics<Dim>::local_damping(double time) const {
+  const DynamicsSettings& settings = data_.settings;
+  const bool is_over = settings.damping_until && time >= *settings.damping_until;
+  return is_over ? 0.0 : settings.local_damping;
 }
 
 /// Gradients that other physics keep on the points turn and stretch with them.

@@ -68,6 +68,7 @@ class Dynamics final : public Physics, public HasSurface, public Warnings, publi
   void keep_order(double step);
   void turn_gravity(const Step& step);
   NodeSums solve_nodes(const Step& step);
+  double local_damping(double time) const;
   void carry_points();
   void stop_if_broken(const PointSums& sums) const;
   void watch_energy(const PointSums& sums);

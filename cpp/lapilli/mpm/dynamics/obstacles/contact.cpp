@@ -26,19 +26,51 @@ void add_to_nodes(const std::vector<Contact<Dim>>& contacts, const double* mass,
   }
 }
 
+template <int Dim>
+Vec3 in_space(const Vec<Dim>& v) {
+  Vec3 full = Vec3::Zero();
+  full.template head<Dim>() = v;
+  return full;
+}
+
+/// What the contacts give the nodes, a free obstacle loses: its velocity at every foot follows.
+template <int Dim, class ImpulseOf>
+void take_from_obstacle(std::vector<Contact<Dim>>& contacts, RigidMotion& motion,
+                        const ImpulseOf& impulse_of) {
+  Vec3 impulse = Vec3::Zero(), moment = Vec3::Zero();
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Vec3 given = in_space<Dim>(impulse_of(k));
+    impulse -= given;
+    moment -= (in_space<Dim>(contacts[k].foot) - motion.center()).cross(given);
+  }
+  motion.push(impulse, moment);
+  for (Contact<Dim>& contact : contacts) {
+    contact.wall = motion.velocity(in_space<Dim>(contact.foot)).template head<Dim>();
+  }
+}
+
+template <int Dim>
+double arm_of(const Contact<Dim>& contact, const RigidMotion& motion) {
+  return (in_space<Dim>(contact.foot) - motion.center()).norm();
+}
+
 /// The mass that an impulse at each foot meets while all the others push as hard: the row sum of
 /// the contacts' matrix, for which Jacobi sweeps converge. `crowd` is scratch over the nodes,
 /// zero before and after.
 template <int Dim>
-void set_masses(std::vector<Contact<Dim>>& contacts, const double* mass,
+void set_masses(std::vector<Contact<Dim>>& contacts, const double* mass, const RigidMotion& motion,
                 std::vector<double>& crowd) {
+  double arms = 0.0;
   for (const Contact<Dim>& contact : contacts) {
     for (int c = 0; c < contact.count; ++c) {
       crowd[contact.node[c]] += contact.weight[c];
     }
+    arms += arm_of(contact, motion);
   }
+  const double pushes = static_cast<double>(contacts.size()) * motion.inverse_mass();
+  const double turns = arms * motion.inverse_inertia();
   for (Contact<Dim>& contact : contacts) {
-    double inverse = 0.0;
+    double inverse = pushes + turns * arm_of(contact, motion);
     for (int c = 0; c < contact.count; ++c) {
       inverse += contact.weight[c] * crowd[contact.node[c]] / mass[contact.node[c]];
     }
@@ -73,20 +105,27 @@ Vec<Dim> improve(Contact<Dim>& contact, double friction, double* const (&velocit
 
 template <int Dim>
 void solve_contacts(std::vector<Contact<Dim>>& contacts, double friction, const double* mass,
-                    double* const (&velocity)[Dim], std::vector<double>& crowd) {
-  set_masses(contacts, mass, crowd);
-  add_to_nodes(contacts, mass, velocity, [&](std::size_t k) { return contacts[k].impulse(); });
+                    double* const (&velocity)[Dim], RigidMotion& motion,
+                    std::vector<double>& crowd) {
+  set_masses(contacts, mass, motion, crowd);
+  const auto give = [&](const auto& impulse_of) {
+    add_to_nodes(contacts, mass, velocity, impulse_of);
+    if (motion.is_free()) {
+      take_from_obstacle(contacts, motion, impulse_of);
+    }
+  };
+  give([&](std::size_t k) { return contacts[k].impulse(); });
   std::vector<Vec<Dim>> change(contacts.size());
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     parallel_for(static_cast<Index>(contacts.size()),
                  [&](Index k) { change[k] = improve(contacts[k], friction, velocity); });
-    add_to_nodes(contacts, mass, velocity, [&](std::size_t k) { return change[k]; });
+    give([&](std::size_t k) { return change[k]; });
   }
 }
 
 template void solve_contacts<2>(std::vector<Contact<2>>&, double, const double*,
-                                double* const (&)[2], std::vector<double>&);
+                                double* const (&)[2], RigidMotion&, std::vector<double>&);
 template void solve_contacts<3>(std::vector<Contact<3>>&, double, const double*,
-                                double* const (&)[3], std::vector<double>&);
+                                double* const (&)[3], RigidMotion&, std::vector<double>&);
 
 }  // namespace lapilli

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "lapilli/core/vector.hpp"
+#include "lapilli/mpm/dynamics/obstacles/rigid_motion.hpp"
 
 namespace lapilli {
 
@@ -45,10 +46,12 @@ struct Contact {
 
 /// Impulses of the contacts with one obstacle that take the nodal velocity out of it, with Coulomb
 /// friction: projected Jacobi sweeps from the impulses that the contacts bring. The masses of the
-/// contacts are scaled so that all of them together do not overshoot. Adds to `velocity`; `crowd`
-/// is scratch over the nodes, zero before and after. friction = infinity: no slip.
+/// contacts are scaled so that all of them together do not overshoot. Adds to `velocity` and, where
+/// it is free, to `motion`; `crowd` is scratch over the nodes, zero before and after. friction =
+/// infinity: no slip.
 template <int Dim>
 void solve_contacts(std::vector<Contact<Dim>>& contacts, double friction, const double* mass,
-                    double* const (&velocity)[Dim], std::vector<double>& crowd);
+                    double* const (&velocity)[Dim], RigidMotion& motion,
+                    std::vector<double>& crowd);
 
 }  // namespace lapilli

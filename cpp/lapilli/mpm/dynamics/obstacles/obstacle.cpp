@@ -15,6 +15,38 @@ void check_vector(const std::vector<double>& values, int dimension, const std::s
   }
 }
 
+/// Keys of obstacles with a mass, and that others have none of them.
+void check_free(const Obstacle& obstacle, int dimension, const std::string& where) {
+  if (!obstacle.mass) {
+    require(obstacle.inertia.empty() && obstacle.force.empty() && obstacle.held.empty(), where,
+            ": inertia, force and held belong to an obstacle with a mass");
+    return;
+  }
+  require(std::isfinite(*obstacle.mass) && *obstacle.mass > 0.0, where,
+          ".mass must be above 0, got ", *obstacle.mass);
+  require(obstacle.factor.is_constant() && obstacle.factor.at(0.0) == 1.0, where,
+          ".factor belongs to a prescribed motion; this obstacle has a mass");
+  const std::size_t turns = dimension == 2 ? 1 : 3;
+  require(obstacle.inertia.empty() || obstacle.inertia.size() == turns, where, ".inertia needs ",
+          turns, dimension == 2 ? " number in two" : " numbers in three", " dimensions, got ",
+          obstacle.inertia.size());
+  for (const double about : obstacle.inertia) {
+    require(std::isfinite(about) && about > 0.0, where, ".inertia must be above 0, got ", about);
+  }
+  require(obstacle.force.empty() || static_cast<int>(obstacle.force.size()) == dimension, where,
+          ".force needs ", dimension, " values, one an axis, got ", obstacle.force.size());
+  for (const Value& along : obstacle.force) {
+    require(!along.is_function(), where,
+            ".force must be numbers or tables in time: a function of place acts on nothing rigid");
+  }
+  const std::string axes = dimension == 2 ? "xy" : "xyz";
+  for (const std::string& what : obstacle.held) {
+    const bool is_axis = what.size() == 1 && axes.find(what) != std::string::npos;
+    require(is_axis || what == "rotation", where, ".held must be among \"x\", \"y\"",
+            dimension == 3 ? ", \"z\"" : "", ", \"rotation\", got \"", what, "\"");
+  }
+}
+
 }  // namespace
 
 void check(const Obstacle& obstacle, int dimension, int index) {
@@ -36,6 +68,7 @@ void check(const Obstacle& obstacle, int dimension, int index) {
           ".axis needs a length above 0");
   require(!obstacle.factor.is_function(), where,
           ".factor must be a number or a table in time: a function of place moves nothing rigid");
+  check_free(obstacle, dimension, where);
 }
 
 }  // namespace lapilli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,8 +22,8 @@ struct Names<ObstacleContact> {
       {ObstacleContact::no_slip, "no_slip"}};
 };
 
-/// A rigid obstacle of any shape, at rest or with a prescribed motion: terrain, a tool, a box. It
-/// need not fit the grid.
+/// A rigid obstacle of any shape: terrain, a tool, a box, at rest or with a prescribed motion; with
+/// a mass, a body that its weight and the forces on it move. It need not fit the grid.
 struct Obstacle {
   std::string name;
   Shape shape;
@@ -34,6 +35,10 @@ struct Obstacle {
   std::vector<double> center;               // m, of the turning, at the start; empty: the origin
   std::vector<double> axis{0.0, 0.0, 1.0};  // of the turning, 3D only
   Value factor = 1.0;                       // multiplies both motions: a number or a table in time
+  std::optional<double> mass;     // kg (per metre of depth in 2D), of one that moves freely
+  std::vector<double> inertia;    // kg m2 about its centre: one number in 2D, about x, y, z in 3D
+  std::vector<Value> force;       // N, besides weight and contacts; empty: none
+  std::vector<std::string> held;  // of a free one: x, y, z, rotation go on as they start
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -45,14 +50,34 @@ struct Obstacle {
           self.friction);
     visit(Key("adhesion").unit("Pa").non_negative().text("shear it bears beyond friction"),
           self.adhesion);
-    visit(Key("velocity").unit("m/s").length(0, 3).text("one number an axis; empty: none"),
+    visit(Key("velocity")
+              .unit("m/s")
+              .length(0, 3)
+              .text("one number an axis, with a mass at the start; empty: none"),
           self.velocity);
-    visit(Key("revolutions_per_second").unit("1/s").text("positive counter-clockwise"),
+    visit(Key("revolutions_per_second")
+              .unit("1/s")
+              .text("positive counter-clockwise, with a mass at the start"),
           self.revolutions_per_second);
-    visit(Key("center").unit("m").length(0, 3).text("centre of the turning; empty: the origin"),
+    visit(Key("center").unit("m").length(0, 3).text(
+              "centre of the turning; empty: the origin, with a mass the centre of the shape"),
           self.center);
     visit(Key("axis").length(3, 3).text("direction of the axis, in 3D"), self.axis);
     visit(Key("factor").text("multiplies the motion: a number or a table in time"), self.factor);
+    visit(Key("mass").unit("kg").positive().text(
+              "of one that its weight and the forces on it move, in 2D per metre of depth; absent: "
+              "its motion is prescribed"),
+          self.mass);
+    visit(Key("inertia").unit("kg m^2").length(0, 3).text(
+              "about its centre, one number in 2D, about x, y, z in 3D; empty: of the shape at one "
+              "density"),
+          self.inertia);
+    visit(Key("force").unit("N").length(0, 3).text(
+              "on one with a mass, besides weight and contacts, one value an axis; empty: none"),
+          self.force);
+    visit(Key("held").text(
+              "of one with a mass: \"x\", \"y\", \"z\", \"rotation\" that go on as at the start"),
+          self.held);
   }
 };
 

@@ -49,7 +49,7 @@ ObstacleContacts<Dim>::ObstacleContacts(const DynamicsData<Dim>& data, const Obs
     : obstacle_(obstacle),
       name_(std::move(name)),
       radii_(std::move(radii)),
-      motion_(obstacle),
+      motion_(obstacle, Dim, "dynamics.obstacles: " + name_),
       reach_(farthest(data.grid, obstacle.shape, motion_.center())),
       friction_(obstacle.contact == ObstacleContact::no_slip
                     ? std::numeric_limits<double>::infinity()
@@ -201,7 +201,7 @@ typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::push(DynamicsData<Di
     contact.start = contact.approach - contact.at_foot(increment);
   }
   start_from(last_step_ > 0.0 ? step / last_step_ : 0.0);
-  solve_contacts<Dim>(contacts_, friction_, data.nodes.mass(), velocity, crowd);
+  solve_contacts<Dim>(contacts_, friction_, data.nodes.mass(), velocity, motion_, crowd);
   keep();
   last_step_ = step;
   return book(velocity, step);
@@ -216,9 +216,10 @@ typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::book(double* const (
   torque_.setZero();
   for (const Contact<Dim>& contact : contacts_) {
     const Vec<Dim> after = contact.at_foot(velocity), impulse = contact.impulse();
-    const Vec<Dim> slip = 0.5 * (contact.start + after) - contact.wall;
+    const Vec<Dim> wall = motion_.mean_velocity(in_space<Dim>(contact.foot)).template head<Dim>();
+    const Vec<Dim> slip = 0.5 * (contact.start + after) - wall;
     work.kinetic += impulse.dot(0.5 * (contact.approach + after));
-    work.given += impulse.dot(contact.wall);
+    work.given += impulse.dot(wall);
     work.impact += contact.push * contact.normal.dot(slip);
     work.friction += contact.drag.dot(slip);
     const Vec3 given = in_space<Dim>(impulse);
@@ -247,8 +248,8 @@ Index ObstacleContacts<Dim>::touching() const {
 template <int Dim>
 void ObstacleContacts<Dim>::save(Archive& archive, const std::string& prefix) const {
   archive.write(prefix + "/memory", memory_.values());
-  const auto place = motion_.state();
-  std::vector<double> numbers(place.begin(), place.end());
+  motion_.save(archive, prefix);
+  std::vector<double> numbers;
   for (const Vec3* vector : {&force_, &torque_, &impulse_}) {
     numbers.insert(numbers.end(), vector->data(), vector->data() + 3);
   }
@@ -259,17 +260,17 @@ void ObstacleContacts<Dim>::save(Archive& archive, const std::string& prefix) co
 template <int Dim>
 void ObstacleContacts<Dim>::load(const Archive& archive, const std::string& prefix) {
   archive.read(prefix + "/memory", memory_.values());
-  double numbers[17];
+  motion_.load(archive, prefix);
+  double numbers[12];
   archive.read(prefix + "/numbers", std::span<double>(numbers));
-  motion_.restore({numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]});
-  const double* from = numbers + 5;
+  const double* from = numbers;
   for (Vec3* vector : {&force_, &torque_, &impulse_}) {
     std::copy_n(from, 3, vector->data());
     from += 3;
   }
-  work_ = numbers[14];
-  steps_ = numbers[15];
-  last_step_ = numbers[16];
+  work_ = numbers[9];
+  steps_ = numbers[10];
+  last_step_ = numbers[11];
 }
 
 template class ObstacleContacts<2>;

@@ -38,6 +38,7 @@ class ObstacleContacts {
   void finish_step();
 
   RigidMotion& motion() { return motion_; }
+  const RigidMotion& motion() const { return motion_; }
   /// Largest speed of the surface at present, m/s.
   double speed() const { return motion_.speed(reach_); }
 

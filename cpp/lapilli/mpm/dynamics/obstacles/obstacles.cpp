@@ -5,6 +5,28 @@
 #include "lapilli/core/require.hpp"
 
 namespace lapilli {
+namespace {
+
+constexpr const char* axes[] = {"x", "y", "z"};
+
+/// Where a free obstacle is and how it moves.
+template <int Dim>
+void add_motion(const std::string& name, const RigidMotion& motion,
+                std::vector<std::pair<std::string, double>>& all) {
+  for (int axis = 0; axis < Dim; ++axis) {
+    all.emplace_back(message(name, " position ", axes[axis]), motion.center()[axis]);
+    all.emplace_back(message(name, " velocity ", axes[axis]), motion.velocity_of_center()[axis]);
+  }
+  for (int axis = Dim == 2 ? 2 : 0; axis < 3; ++axis) {
+    all.emplace_back(message(name, " spin ", axes[axis]), motion.spin()[axis]);
+  }
+  if (Dim == 2) {
+    all.emplace_back(message(name, " angle"), motion.angle());
+  }
+  all.emplace_back(message(name, " kinetic energy"), motion.kinetic_energy());
+}
+
+}  // namespace
 
 template <int Dim>
 Obstacles<Dim>::Obstacles(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem) {
@@ -33,6 +55,9 @@ void Obstacles<Dim>::push(DynamicsData<Dim>& data, const Step& step, double spee
   for (const auto& one : each_) {
     one->motion().advance(step.time, ahead);
     one->motion().set_time(step.time + 0.5 * step.size);
+    if (one->motion().is_free()) {
+      one->motion().accelerate(step.time, step.size, data.gravity);
+    }
   }
   const double reach = step.size * (speed + this->speed());
   for (const auto& one : each_) {
@@ -64,13 +89,20 @@ void Obstacles<Dim>::push(DynamicsData<Dim>& data, const Step& step, double spee
 }
 
 template <int Dim>
-void Obstacles<Dim>::finish_step(const Step& step, double moved, bool ahead) {
+void Obstacles<Dim>::finish_step(const Step& step, double moved, bool ahead, double damping) {
   const double done = ahead ? 0.5 * step.size : 0.0;
   double fastest = 0.0;
   for (const auto& one : each_) {
     fastest = std::max(fastest, one->speed());
-    one->motion().advance(step.time + done, step.size - done);
-    one->motion().set_time(step.time + step.size);
+    if (one->motion().is_free()) {
+      if (damping > 0.0) {
+        one->motion().damp(damping);
+      }
+      one->motion().finish(step.size, done);
+    } else {
+      one->motion().advance(step.time + done, step.size - done);
+      one->motion().set_time(step.time + step.size);
+    }
     one->finish_step();
     fastest = std::max(fastest, one->speed());
   }
@@ -97,7 +129,6 @@ Vec3 Obstacles<Dim>::impulse() const {
 
 template <int Dim>
 std::vector<std::pair<std::string, double>> Obstacles<Dim>::diagnostics() const {
-  constexpr const char* axes[] = {"x", "y", "z"};
   std::vector<std::pair<std::string, double>> all;
   for (const auto& one : each_) {
     for (int axis = 0; axis < Dim; ++axis) {
@@ -108,6 +139,9 @@ std::vector<std::pair<std::string, double>> Obstacles<Dim>::diagnostics() const 
     }
     all.emplace_back(message(one->name(), " work"), one->work());
     all.emplace_back(message(one->name(), " contacts"), static_cast<double>(one->touching()));
+    if (one->motion().is_free()) {
+      add_motion<Dim>(one->name(), one->motion(), all);
+    }
   }
   return all;
 }

@@ -21,8 +21,8 @@ class Obstacles {
   /// them; none is faster than `speed`. Changes velocity and increment of the nodes, and the sums.
   void push(DynamicsData<Dim>& data, const Step& step, double speed, NodeSums& sums);
   /// Move the obstacles to the end of the step, in which points moved at most `moved`; `ahead`:
-  /// from the middle of it.
-  void finish_step(const Step& step, double moved, bool ahead);
+  /// from the middle of it. `damping`: share of local damping.
+  void finish_step(const Step& step, double moved, bool ahead, double damping);
 
   double speed() const;                    // m/s, largest of any surface
   double given() const { return given_; }  // J, by the motion of all since the start
