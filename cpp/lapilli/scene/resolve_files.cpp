@@ -64,7 +64,8 @@ Scene with_resolved_files(Scene scene) {
   const std::string folder = directory_of(scene);
   if (!folder.empty()) {
     each_file(scene, [&](std::string& name) {
-      name = (std::filesystem::path(folder) / name).string();  // an absolute name stays as it is
+      // An absolute name stays as it is: the files of a scene may be resolved twice.
+      name = std::filesystem::absolute(std::filesystem::path(folder) / name).string();
     });
   }
   return scene;

@@ -7,8 +7,8 @@
 
 namespace lapilli {
 
-/// The scene with the names of its input files starting from the folder of its scene file, where
-/// they are relative.
+/// The scene with absolute names of its input files, which start from the folder of its scene file
+/// where they are relative.
 Scene with_resolved_files(Scene scene);
 
 /// The names of the input files of a scene, in its order.
