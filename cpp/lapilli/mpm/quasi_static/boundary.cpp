@@ -31,6 +31,16 @@ double distance_to(const std::vector<Shape>& bodies, const Vec3& at) {
   return least;
 }
 
+/// Where there is a body, and `off` (m) around it.
+LevelSet on_bodies(const std::vector<Shape>& bodies, double off) {
+  return {[&bodies, off](const Vec3& at) { return off - distance_to(bodies, at); },
+          [&bodies](const Vec3& at) {
+            const auto nearest = std::ranges::min_element(
+                bodies, {}, [&at](const Shape& body) { return lapilli::distance(body, at); });
+            return Vec3(-lapilli::gradient(*nearest, at));
+          }};
+}
+
 template <int Dim>
 bool holds_averaged(const Grid<Dim>& grid, const CellState<Dim>& state,
                     const std::vector<Facet<Dim>>& facets) {
@@ -55,8 +65,7 @@ void end_with_bodies(const std::vector<Shape>& bodies, std::vector<Facet<Dim>>& 
       covered += distance_to(bodies, in_space<Dim>(inside)) < 0.0 ? point.weight : 0.0;
     }
   }
-  std::vector<Facet<Dim>> ended =
-      cut([&](const Vec3& at) { return exact * cell_size - distance_to(bodies, at); });
+  std::vector<Facet<Dim>> ended = cut(on_bodies(bodies, exact * cell_size));
   if (total_area(ended) > most * covered && !ended.empty()) {
     facets = std::move(ended);
   }
@@ -123,7 +132,7 @@ std::vector<Facet<Dim>> Boundary<Dim>::cut_walls(const Grid<Dim>& grid, CellStat
     if (time == 0.0 && holds_averaged(grid, state, facets)) {
       end_with_bodies(
           bodies_, facets,
-          [&](const auto& on_a_body) {
+          [&](const LevelSet& on_a_body) {
             return facets_at_material(
                 grid, state,
                 walls_[w].cut(grid, near, static_cast<int>(w), time, solids, on_a_body),
@@ -142,10 +151,7 @@ std::vector<LoadedSurface<Dim>> Boundary<Dim>::cut_tractions(const Grid<Dim>& gr
   // Surfaces of shapes may go on beyond a body, and end there. One that is not quite on the body,
   // a circle on a polygon, still counts this far off it (cells).
   constexpr double exact = 1e-9, slack = 1e-3, most = 0.9;
-  double off = exact;
-  const auto on_a_body = [&](const Vec3& at) {
-    return off * grid.cell_size() - distance_to(bodies_, at);
-  };
+  const double h = grid.cell_size();
   const std::vector<char> everywhere(grid.cell_count(), 1);
   const std::vector<char> near = cells_near_material(grid, state);
   std::vector<LoadedSurface<Dim>> surfaces;
@@ -155,10 +161,8 @@ std::vector<LoadedSurface<Dim>> Boundary<Dim>::cut_tractions(const Grid<Dim>& gr
       facets = traction.cut(grid, everywhere, 0, 0.0, {});
       traction.require_whole(facets);
     } else if (!bodies_.empty()) {
-      off = exact;
-      facets = traction.cut(grid, near, 0, 0.0, {}, on_a_body);
-      off = slack;
-      auto rough = traction.cut(grid, near, 0, 0.0, {}, on_a_body);
+      facets = traction.cut(grid, near, 0, 0.0, {}, on_bodies(bodies_, exact * h));
+      auto rough = traction.cut(grid, near, 0, 0.0, {}, on_bodies(bodies_, slack * h));
       if (total_area(facets) < most * total_area(rough)) {
         facets = std::move(rough);
       }

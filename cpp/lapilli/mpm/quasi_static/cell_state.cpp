@@ -67,9 +67,46 @@ Index inner_cell(const Grid<Dim>& grid, const Facet<Dim>& facet) {
       grid.cell_containing(facet.centre() + look_in * grid.cell_size() * facet.normal()));
 }
 
+namespace {
+
+/// Of the cells marked, those that a chain of common faces leads to from the material: ghost
+/// stabilisation acts across faces, and nothing else holds the nodes of an empty cell that touches
+/// the material with an edge only.
+template <int Dim>
+std::vector<char> reached_from_material(const Grid<Dim>& grid, const std::vector<char>& occupied,
+                                        const std::vector<char>& marked) {
+  std::vector<char> reached(marked.size(), 0);
+  std::vector<Index> to_visit;
+  const auto visit_neighbours = [&](Index cell) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      for (const Index step : {-grid.cell_stride(axis), grid.cell_stride(axis)}) {
+        const Index next = cell + step;
+        if (next >= 0 && next < grid.cell_count() && marked[next] && !reached[next]) {
+          reached[next] = 1;
+          to_visit.push_back(next);
+        }
+      }
+    }
+  };
+  for (Index cell = 0; cell < grid.cell_count(); ++cell) {
+    if (occupied[cell]) {
+      visit_neighbours(cell);
+    }
+  }
+  while (!to_visit.empty()) {
+    const Index cell = to_visit.back();
+    to_visit.pop_back();
+    visit_neighbours(cell);
+  }
+  return reached;
+}
+
+}  // namespace
+
 template <int Dim>
 std::vector<Facet<Dim>> facets_at_material(const Grid<Dim>& grid, CellState<Dim>& state,
                                            std::vector<Facet<Dim>> facets, bool hold_empty_cells) {
+  std::vector<char> empty(static_cast<std::size_t>(grid.cell_count()), 0);
   std::erase_if(facets, [&](const Facet<Dim>& facet) {
     const Index cell = grid.cell_index(facet.cell);
     if (state.occupied[cell]) {
@@ -85,8 +122,16 @@ std::vector<Facet<Dim>> facets_at_material(const Grid<Dim>& grid, CellState<Dim>
     state.lame[cell] = state.lame[inner];
     state.shear[cell] = state.shear[inner];
     state.youngs[cell] = state.youngs[inner];
+    empty[cell] = 1;
     return false;
   });
+  if (hold_empty_cells) {
+    const std::vector<char> reached = reached_from_material(grid, state.occupied, empty);
+    std::erase_if(facets, [&](const Facet<Dim>& facet) {
+      const Index cell = grid.cell_index(facet.cell);
+      return empty[cell] && !reached[cell];
+    });
+  }
   return facets;
 }
 

@@ -174,26 +174,38 @@ std::optional<double> MovingSurface<Dim>::gap(const Vec3& place, double time) co
 }
 
 template <int Dim>
-std::vector<Facet<Dim>> MovingSurface<Dim>::cut(
-    const Grid<Dim>& grid, std::span<const char> cells, int number, double time,
-    std::span<const MovingSurface* const> solids,
-    const std::function<double(const Vec3&)>& counts) const {
-  std::vector<std::function<double(const Vec3&)>> trims;
+LevelSet MovingSurface<Dim>::level_set(double time) const {
+  const Vec<Dim> by = offset(time);
+  return {[this, time](const Vec3& place) { return distance(place, time); },
+          [this, by](const Vec3& place) {
+            return Vec3(side_ * lapilli::gradient(*shape_, shifted<Dim>(place, by)));
+          }};
+}
+
+template <int Dim>
+std::vector<Facet<Dim>> MovingSurface<Dim>::cut(const Grid<Dim>& grid, std::span<const char> cells,
+                                                int number, double time,
+                                                std::span<const MovingSurface* const> solids,
+                                                const std::optional<LevelSet>& counts) const {
+  std::vector<LevelSet> trims;
   if (within_) {
     const Vec<Dim> by = offset(time);
-    trims.push_back([this, by](const Vec3& place) {
-      return -lapilli::distance(*within_, shifted<Dim>(place, by));
-    });
+    trims.push_back({[this, by](const Vec3& place) {
+                       return -lapilli::distance(*within_, shifted<Dim>(place, by));
+                     },
+                     [this, by](const Vec3& place) {
+                       return Vec3(-lapilli::gradient(*within_, shifted<Dim>(place, by)));
+                     }});
   }
   if (is_solid()) {
     for (const MovingSurface* solid : solids) {
       if (solid != this && solid->is_solid()) {
-        trims.push_back([solid, time](const Vec3& place) { return solid->distance(place, time); });
+        trims.push_back(solid->level_set(time));
       }
     }
   }
   if (counts) {
-    trims.push_back(counts);
+    trims.push_back(*counts);
   }
   if constexpr (Dim == 2) {
     if (!line_.empty()) {
@@ -206,13 +218,7 @@ std::vector<Facet<Dim>> MovingSurface<Dim>::cut(
       return facets;
     }
   }
-  const Vec<Dim> by = offset(time);
-  const LevelSet level_set{
-      [&](const Vec3& place) { return distance(place, time); },
-      [&](const Vec3& place) {
-        return Vec3(side_ * lapilli::gradient(*shape_, shifted<Dim>(place, by)));
-      }};
-  return cut_level_set<Dim>(grid, cells, level_set, number, trims);
+  return cut_level_set<Dim>(grid, cells, level_set(time), number, trims);
 }
 
 template <int Dim>

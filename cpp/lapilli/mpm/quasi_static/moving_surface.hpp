@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,13 +36,15 @@ class MovingSurface {
   /// the region where `counts` is not positive (m; none: everywhere).
   std::vector<Facet<Dim>> cut(const Grid<Dim>& grid, std::span<const char> cells, int number,
                               double time, std::span<const MovingSurface* const> solids,
-                              const std::function<double(const Vec3&)>& counts = {}) const;
+                              const std::optional<LevelSet>& counts = {}) const;
   /// Throws RunError unless these facets make up the whole of an open line; one with `within`
   /// passes.
   void require_whole(const std::vector<Facet<Dim>>& facets) const;
 
  private:
   bool counts(const Vec3& place, double time) const;
+  /// Of a solid, positive in the material.
+  LevelSet level_set(double time) const;
 
   std::string what_;
   std::optional<Shape> shape_, within_;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "lapilli/geometry/grid.hpp"
+#include "lapilli/mpm/surface/level_set.hpp"
 
 namespace lapilli {
 
@@ -47,14 +47,8 @@ struct Facet {
   }
 };
 
-/// A surface as the zero set of a signed distance (m), positive in the material.
-struct LevelSet {
-  std::function<double(const Vec3&)> distance;
-  std::function<Vec3(const Vec3&)> normal;  // gradient of the distance, unit
-};
-
-/// Regions (positive inside, m) outside which a surface does not count.
-using Trims = std::span<const std::function<double(const Vec3&)>>;
+/// Regions, positive inside, outside which a surface does not count.
+using Trims = std::span<const LevelSet>;
 
 /// Cut an open line of points, the material on its left, at every grid line: facets with three
 /// Gauss points each, which integrate products of bilinear functions exactly. Bends up to 37
@@ -62,9 +56,10 @@ using Trims = std::span<const std::function<double(const Vec3&)>>;
 std::vector<Facet<2>> cut_line(const Grid<2>& grid, std::span<const Vec<2>> line, int surface,
                                Trims trims = {});
 
-/// Cut the surface of a level set at the faces of the cells marked in `cells`. Flat parts are cut
-/// exactly. On curved ones the points of integration lie on the surface and carry its normals;
-/// edges and features thinner than half a cell are rounded off.
+/// Cut the surface of a level set, positive in the material, at the faces of the cells marked in
+/// `cells`. Flat faces, their edges and corners are exact, one facet a face. On curved faces the
+/// points of integration lie on the surface and carry its normals; edges of those, and features
+/// thinner than an eighth of a cell (a thirty-second in two dimensions), are rounded off.
 template <int Dim>
 std::vector<Facet<Dim>> cut_level_set(const Grid<Dim>& grid, std::span<const char> cells,
                                       const LevelSet& surface, int number, Trims trims = {});

@@ -1,8 +1,11 @@
 #include "lapilli/mpm/quasi_static/surface_piece.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "lapilli/mpm/surface/cube_parts.hpp"
 
 namespace lapilli {
 namespace {
@@ -52,15 +55,13 @@ double last_inside(const Function& function) {
   return 0.5 * (low + high);
 }
 
-}  // namespace
-
+/// By lines between places on the edges of the piece.
 template <int Dim>
-Piece<Dim> trim(const Piece<Dim>& piece, const std::function<double(const Vec3&)>& region,
-                double slack) {
+Piece<Dim> trim_straight(const Piece<Dim>& piece, const LevelSet& region, double slack) {
   const std::size_t count = piece.size();
   std::vector<double> value(count);
   for (std::size_t k = 0; k < count; ++k) {
-    value[k] = region(in_space<Dim>(piece[k]));
+    value[k] = region.distance(in_space<Dim>(piece[k]));
     value[k] = std::abs(value[k]) <= slack ? 0.0 : value[k];
   }
   Piece<Dim> kept;
@@ -73,12 +74,125 @@ Piece<Dim> trim(const Piece<Dim>& piece, const std::function<double(const Vec3&)
     if (k < sides && value[k] * value[next] < 0.0) {
       const Vec<Dim> along = piece[next] - piece[k];
       kept.push_back(piece[k] + last_inside([&](double share) {
-                                  return region(in_space<Dim>(piece[k] + share * along)) *
+                                  return region.distance(in_space<Dim>(piece[k] + share * along)) *
                                          (value[k] < 0.0 ? -1.0 : 1.0);
                                 }) * along);
     }
   }
   return kept;
+}
+
+/// The parts of a piece in a region as the planes of its faces tell it.
+template <int Dim>
+std::vector<Piece<Dim>> clip_to_planes(const Piece<Dim>& piece, PlaneFit<Dim> fit, double slack) {
+  for (Cut<Dim>& plane : fit.planes) {
+    plane.offset += slack;
+  }
+  std::vector<Piece<Dim>> parts;
+  Piece<Dim> rest = piece;
+  for (const Cut<Dim>& plane : fit.planes) {
+    if (fit.join == PlaneFit<Dim>::Join::any) {
+      parts.push_back(rest);
+      clip_piece<Dim>(parts.back(), plane);
+      clip_piece<Dim>(rest, {-plane.normal, -plane.offset});
+    } else {
+      clip_piece<Dim>(rest, plane);
+    }
+  }
+  if (fit.join == PlaneFit<Dim>::Join::all) {
+    parts.push_back(rest);
+  }
+  std::erase_if(parts, [](const Piece<Dim>& part) { return part.size() < Dim; });
+  return parts;
+}
+
+/// A cube around a piece.
+template <int Dim>
+Cube<Dim> around(const Piece<Dim>& piece) {
+  Vec<Dim> low = piece.front(), high = piece.front();
+  for (const Vec<Dim>& corner : piece) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  const double side = (high - low).maxCoeff();
+  return {0.5 * (low + high) - Vec<Dim>::Constant(0.5 * side), side};
+}
+
+/// Add the parts of a piece in one region to `kept`. `outside`: the region, negative inside;
+/// `size` (m): of the piece at first.
+template <int Dim>
+void trim_finely(const Piece<Dim>& piece, const LevelSet& outside, double size, double slack,
+                 int halvings, std::vector<Piece<Dim>>& kept) {
+  using State = typename PlaneFit<Dim>::State;
+  constexpr double flat = 1e-9, smooth = 1e-3;  // of the size: how near planes are
+  const SurfacePiece<Dim> whole{piece, Vec<Dim>::Zero()};
+  const auto depth = [&](const Piece<Dim>& part) {
+    return -outside.distance(in_space<Dim>(SurfacePiece<Dim>{part, Vec<Dim>::Zero()}.middle()));
+  };
+  double radius = 0.0;
+  for (const Vec<Dim>& corner : piece) {
+    radius = std::max(radius, (corner - whole.middle()).norm());
+  }
+  const double at_middle = depth(piece);
+  if (at_middle > radius) {
+    kept.push_back(piece);
+    return;
+  }
+  if (at_middle < -radius || !(radius > 0.0)) {
+    return;
+  }
+  const PlaneFit<Dim> fit = fit_planes<Dim>(outside, around<Dim>(piece), flat * radius, false);
+  if (fit.state == State::full || fit.state == State::empty) {
+    if (fit.state == State::full) {
+      kept.push_back(piece);
+    }
+    return;
+  }
+  if (fit.state == State::cut) {
+    const std::vector<Piece<Dim>> parts = clip_to_planes<Dim>(piece, fit, slack);
+    // A face that no sample was nearest to would have cut them.
+    const double least = -10.0 * flat * radius - slack;
+    const auto is_in = [&](const Piece<Dim>& part) {
+      return depth(part) >= least && std::ranges::all_of(part, [&](const Vec<Dim>& corner) {
+               return -outside.distance(in_space<Dim>(corner)) >= least;
+             });
+    };
+    if (std::ranges::all_of(parts, is_in)) {
+      kept.insert(kept.end(), parts.begin(), parts.end());
+      return;
+    }
+  }
+  const PlaneFit<Dim> near = fit_planes<Dim>(outside, around<Dim>(piece), smooth * size, false);
+  const bool is_curve = near.state == State::cut && near.planes.size() == 1;
+  if (!is_curve && halvings > 0) {
+    for (const SurfacePiece<Dim>& part : whole.parts()) {
+      trim_finely<Dim>(part.corners, outside, size, slack, halvings - 1, kept);
+    }
+    return;
+  }
+  const LevelSet region{[&](const Vec3& x) { return -outside.distance(x); }, {}};
+  Piece<Dim> part = trim_straight<Dim>(piece, region, slack);
+  if (part.size() >= Dim) {
+    kept.push_back(std::move(part));
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<Piece<Dim>> trim_to(Trims regions, const Piece<Dim>& piece, double slack) {
+  std::vector<Piece<Dim>> pieces{piece};
+  for (const LevelSet& region : regions) {
+    const LevelSet outside{[&](const Vec3& x) { return -region.distance(x); },
+                           [&](const Vec3& x) { return Vec3(-region.normal(x)); }};
+    std::vector<Piece<Dim>> kept;
+    for (const Piece<Dim>& one : pieces) {
+      const double size = around<Dim>(one).side;
+      trim_finely<Dim>(one, outside, size, slack, 6, kept);
+    }
+    pieces = std::move(kept);
+  }
+  return pieces;
 }
 
 template <int Dim>
@@ -104,8 +218,8 @@ void add_points(const Piece<Dim>& piece, const Vec<Dim>& normal,
   }
 }
 
-template Piece<2> trim<2>(const Piece<2>&, const std::function<double(const Vec3&)>&, double);
-template Piece<3> trim<3>(const Piece<3>&, const std::function<double(const Vec3&)>&, double);
+template std::vector<Piece<2>> trim_to<2>(Trims, const Piece<2>&, double);
+template std::vector<Piece<3>> trim_to<3>(Trims, const Piece<3>&, double);
 template void add_points<2>(const Piece<2>&, const Vec<2>&, std::vector<SurfacePoint<2>>&);
 template void add_points<3>(const Piece<3>&, const Vec<3>&, std::vector<SurfacePoint<3>>&);
 

@@ -46,10 +46,11 @@ double zero_between(const Function& function, double at_a, double at_b) {
   return middle;
 }
 
-/// The part of a piece where `region` is positive; values up to `slack` (m) count as zero.
+/// The parts of a piece where all regions are positive; values up to `slack` (m) count as zero.
+/// Exact where regions have flat faces, with their edges and corners; curved ones within a
+/// thousandth of the size of the piece.
 template <int Dim>
-Piece<Dim> trim(const Piece<Dim>& piece, const std::function<double(const Vec3&)>& region,
-                double slack);
+std::vector<Piece<Dim>> trim_to(Trims regions, const Piece<Dim>& piece, double slack);
 
 /// Add the points of integration of a flat piece with unit normal `normal`: three Gauss points on a
 /// segment, seven of degree 5 on a triangle (Radon 1948).

@@ -110,9 +110,22 @@ std::vector<Vec<3>> section(const Cube<3>& cube, const Cut<3>& cut) {
           foot + r * (one - other)};
 }
 
-/// What a cut leaves of a segment or polygon.
 template <int Dim>
-void trim(std::vector<Vec<Dim>>& corners, const Cut<Dim>& cut) {
+void trim_to_cube(std::vector<Vec<Dim>>& corners, const Cube<Dim>& cube) {
+  for (int axis = 0; axis < Dim && !corners.empty(); ++axis) {
+    const Vec<Dim> along = Vec<Dim>::Unit(axis);
+    const double low = cube.low[axis] - on_face * cube.side;
+    clip_piece<Dim>(corners, {-along, -low});
+    if (!corners.empty()) {
+      clip_piece<Dim>(corners, {along, low + cube.side});
+    }
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+void clip_piece(std::vector<Vec<Dim>>& corners, const Cut<Dim>& cut) {
   std::vector<Vec<Dim>> kept;
   const std::size_t count = corners.size(), sides = Dim == 2 ? count - 1 : count;
   for (std::size_t k = 0; k < count; ++k) {
@@ -127,20 +140,6 @@ void trim(std::vector<Vec<Dim>>& corners, const Cut<Dim>& cut) {
   }
   corners = kept.size() < static_cast<std::size_t>(Dim) ? std::vector<Vec<Dim>>{} : std::move(kept);
 }
-
-template <int Dim>
-void trim_to_cube(std::vector<Vec<Dim>>& corners, const Cube<Dim>& cube) {
-  for (int axis = 0; axis < Dim && !corners.empty(); ++axis) {
-    const Vec<Dim> along = Vec<Dim>::Unit(axis);
-    const double low = cube.low[axis] - on_face * cube.side;
-    trim<Dim>(corners, {-along, -low});
-    if (!corners.empty()) {
-      trim<Dim>(corners, {along, low + cube.side});
-    }
-  }
-}
-
-}  // namespace
 
 template <int Dim>
 double SurfacePiece<Dim>::area() const {
@@ -199,7 +198,8 @@ std::vector<SurfacePiece<Dim>> SurfacePiece<Dim>::parts() const {
   } else {
     std::vector<SurfacePiece> all;
     const std::size_t count = corners.size();
-    const Vec3 centre = middle();
+    // The centroid: only from there all parts are convex.
+    const Vec3 centre = quadrature().front().position;
     for (std::size_t k = 0; k < count; ++k) {
       const Vec3 before = 0.5 * (corners[(k + count - 1) % count] + corners[k]);
       const Vec3 after = 0.5 * (corners[k] + corners[(k + 1) % count]);
@@ -227,38 +227,48 @@ Points<Dim> volume_points(const Cube<Dim>& cube, const PlaneFit<Dim>& fit) {
 }
 
 template <int Dim>
+SurfacePiece<Dim> surface_piece(const Cube<Dim>& cube, const PlaneFit<Dim>& fit,
+                                std::size_t plane) {
+  SurfacePiece<Dim> piece{section(cube, fit.planes[plane]), fit.planes[plane].normal};
+  if constexpr (Dim > 1) {
+    trim_to_cube<Dim>(piece.corners, cube);
+    for (std::size_t j = 0; j < fit.planes.size() && !piece.corners.empty(); ++j) {
+      if (j != plane) {
+        const Cut<Dim>& other = fit.planes[j];
+        clip_piece<Dim>(piece.corners,
+                        fit.join == PlaneFit<Dim>::Join::all ? other : other_side<Dim>(other));
+      }
+    }
+  }
+  if (!piece.corners.empty() && !(piece.area() > 0.0)) {
+    piece.corners.clear();
+  }
+  return piece;
+}
+
+template <int Dim>
 std::vector<SurfacePiece<Dim>> surface_pieces(const Cube<Dim>& cube, const PlaneFit<Dim>& fit) {
   std::vector<SurfacePiece<Dim>> pieces;
   for (std::size_t k = 0; k < fit.planes.size(); ++k) {
-    std::vector<Vec<Dim>> corners = section(cube, fit.planes[k]);
-    if constexpr (Dim > 1) {
-      trim_to_cube<Dim>(corners, cube);
-      for (std::size_t j = 0; j < fit.planes.size() && !corners.empty(); ++j) {
-        if (j != k) {
-          const Cut<Dim>& plane = fit.planes[j];
-          trim<Dim>(corners, fit.join == PlaneFit<Dim>::Join::all ? plane : other_side<Dim>(plane));
-        }
-      }
-    }
-    if (corners.empty()) {
-      continue;
-    }
-    SurfacePiece<Dim> piece{std::move(corners), fit.planes[k].normal};
-    if (piece.area() > 0.0) {
+    SurfacePiece<Dim> piece = surface_piece(cube, fit, k);
+    if (!piece.corners.empty()) {
       pieces.push_back(std::move(piece));
     }
   }
   return pieces;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                  \
-  template struct SurfacePiece<Dim>;                                              \
-  template std::vector<QuadraturePoint<Dim>> volume_points(const Cube<Dim>&,      \
-                                                           const PlaneFit<Dim>&); \
+#define LAPILLI_INSTANTIATE(Dim)                                                                 \
+  template struct SurfacePiece<Dim>;                                                             \
+  template SurfacePiece<Dim> surface_piece(const Cube<Dim>&, const PlaneFit<Dim>&, std::size_t); \
+  template std::vector<QuadraturePoint<Dim>> volume_points(const Cube<Dim>&,                     \
+                                                           const PlaneFit<Dim>&);                \
   template std::vector<SurfacePiece<Dim>> surface_pieces(const Cube<Dim>&, const PlaneFit<Dim>&);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)
 #undef LAPILLI_INSTANTIATE
+template void clip_piece(std::vector<Vec<2>>&, const Cut<2>&);
+template void clip_piece(std::vector<Vec<3>>&, const Cut<3>&);
 
 }  // namespace lapilli

@@ -15,13 +15,19 @@ Vec3 in_space(const Vec<Dim>& place) {
   return at;
 }
 
-template <int Dim>
+struct OfShape {
+  const Shape& shape;
+  double distance(const Vec3& x) const { return lapilli::distance(shape, x); }
+  Vec3 normal(const Vec3& x) const { return gradient(shape, x); }
+};
+
+template <int Dim, class Surface>
 class Fitter {
  public:
   using Fit = PlaneFit<Dim>;
 
-  Fitter(const Shape& shape, const Cube<Dim>& cube, double tolerance)
-      : shape_(shape), cube_(cube), tolerance_(tolerance) {
+  Fitter(const Surface& surface, const Cube<Dim>& cube, double tolerance)
+      : surface_(surface), cube_(cube), tolerance_(tolerance) {
     sample_[0] = cube.middle();
     depth_[0] = distance_at(sample_[0]);
   }
@@ -89,9 +95,9 @@ class Fitter {
   static constexpr int samples = 1 + (1 << Dim);
   static constexpr double touching = 1e-9;  // of the side
 
-  double distance_at(const Vec<Dim>& x) const { return distance(shape_, in_space<Dim>(x)); }
+  double distance_at(const Vec<Dim>& x) const { return surface_.distance(in_space<Dim>(x)); }
   Vec<Dim> normal_at(const Vec<Dim>& x) const {
-    return gradient(shape_, in_space<Dim>(x)).template head<Dim>();
+    return surface_.normal(in_space<Dim>(x)).template head<Dim>();
   }
 
   /// The tangent plane where the surface is nearest to `from`; nothing at edges, at seams inside
@@ -261,18 +267,16 @@ class Fitter {
     planes = {*nearest};
   }
 
-  const Shape& shape_;
+  const Surface& surface_;
   const Cube<Dim> cube_;
   double tolerance_;
   std::array<Vec<Dim>, samples> sample_;
   std::array<double, samples> depth_;
 };
 
-}  // namespace
-
-template <int Dim>
-PlaneFit<Dim> fit_planes(const Shape& shape, const Cube<Dim>& cube, double tolerance, bool settle) {
-  Fitter<Dim> fitter(shape, cube, tolerance);
+template <int Dim, class Surface>
+PlaneFit<Dim> fit_to(const Surface& surface, const Cube<Dim>& cube, double tolerance, bool settle) {
+  Fitter<Dim, Surface> fitter(surface, cube, tolerance);
   PlaneFit<Dim> found = fitter.fit();
   if (settle && found.state == PlaneFit<Dim>::State::rough) {
     fitter.settle(found);
@@ -280,8 +284,23 @@ PlaneFit<Dim> fit_planes(const Shape& shape, const Cube<Dim>& cube, double toler
   return found;
 }
 
+}  // namespace
+
+template <int Dim>
+PlaneFit<Dim> fit_planes(const Shape& shape, const Cube<Dim>& cube, double tolerance, bool settle) {
+  return fit_to<Dim>(OfShape{shape}, cube, tolerance, settle);
+}
+
+template <int Dim>
+PlaneFit<Dim> fit_planes(const LevelSet& surface, const Cube<Dim>& cube, double tolerance,
+                         bool settle) {
+  return fit_to<Dim>(surface, cube, tolerance, settle);
+}
+
 template PlaneFit<1> fit_planes(const Shape&, const Cube<1>&, double, bool);
 template PlaneFit<2> fit_planes(const Shape&, const Cube<2>&, double, bool);
 template PlaneFit<3> fit_planes(const Shape&, const Cube<3>&, double, bool);
+template PlaneFit<2> fit_planes(const LevelSet&, const Cube<2>&, double, bool);
+template PlaneFit<3> fit_planes(const LevelSet&, const Cube<3>&, double, bool);
 
 }  // namespace lapilli

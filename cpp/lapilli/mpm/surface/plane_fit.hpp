@@ -4,6 +4,7 @@
 
 #include "lapilli/geometry/clip.hpp"
 #include "lapilli/geometry/shape.hpp"
+#include "lapilli/mpm/surface/level_set.hpp"
 
 namespace lapilli {
 
@@ -43,5 +44,10 @@ struct PlaneFit {
 /// of the neighbours. With `settle` a rough fit parts the corners of the cube as the shape does.
 template <int Dim>
 PlaneFit<Dim> fit_planes(const Shape& shape, const Cube<Dim>& cube, double tolerance, bool settle);
+
+/// The same of what lies where a distance is negative.
+template <int Dim>
+PlaneFit<Dim> fit_planes(const LevelSet& surface, const Cube<Dim>& cube, double tolerance,
+                         bool settle);
 
 }  // namespace lapilli
