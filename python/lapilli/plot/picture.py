@@ -10,7 +10,7 @@ import numpy as np
 
 from lapilli.frames import Frame, Frames
 from lapilli.plot.canvas import dot_areas, ends_of, panels_for, require_matplotlib
-from lapilli.plot.overlays import draw_contours, draw_vectors
+from lapilli.plot.overlays import draw_contours, draw_vectors, place_keys
 from lapilli.plot.style import Style
 from lapilli.plot.view import NAMES, View, drawn_field, view_of
 from lapilli.whole_file import whole_file
@@ -121,12 +121,14 @@ def paint(
     for panel, view, dots in zip(axes, views, drawn, strict=True):
         if view.is_plane:
             fit_dots(panel, view, dots)
+            place_keys(panel)
     return drawn
 
 
 def draw_view(axes: Axes, view: View, limits: Limits, colours: str) -> Any:
     """Points coloured by their values; in one dimension a curve."""
-    axes.set_title(f"t = {view.time:.4g} s", fontsize=10)
+    axes.set_title(f"t = {view.time:.5g} s", fontsize=10)
+    axes.locator_params(axis="x", nbins=6)  # numbers of many digits side by side
     axes.set_xlabel(NAMES[view.axes[0]])
     if not view.is_plane:
         order = view.rows[np.argsort(view.position[view.rows, 0])]
