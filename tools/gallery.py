@@ -11,10 +11,10 @@ import subprocess
 import sys
 import tempfile
 import time
-import tomllib
 from pathlib import Path
 from typing import Any
 
+import tomllib
 from PIL import Image
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -25,11 +25,14 @@ WIDTH, LARGEST = 640, 80_000  # pixels, bytes
 
 def entries() -> list[dict[str, Any]]:
     """All entries of the gallery."""
-    return [one for group in tomllib.loads(ENTRIES.read_text())["groups"] for one in group["entries"]]
+    groups = tomllib.loads(ENTRIES.read_text())["groups"]
+    return [entry for group in groups for entry in group["entries"]]
 
 
 def commands(entry: dict[str, Any]) -> list[str]:
     """What a reader types, line by line."""
+    if "reproduce" in entry:
+        return [entry["reproduce"]]
     folder, name = entry["scene"].split("/")
     changes = "".join(f" --set {shlex.quote(change)}" for change in entry.get("set", []))
     return [
@@ -47,7 +50,7 @@ def picture_of(entry: dict[str, Any]) -> Path:
 
 def draw(entry: dict[str, Any]) -> None:
     """Run the commands of an entry in a folder of its own and keep the picture, small."""
-    program = f"lapilli() {{ {shlex.quote(sys.executable)} -m lapilli \"$@\"; }}"
+    program = f'lapilli() {{ {shlex.quote(sys.executable)} -m lapilli "$@"; }}'
     with tempfile.TemporaryDirectory() as folder:
         script = "\n".join(["set -e", program, *commands(entry)])
         subprocess.run(["bash", "-c", script], cwd=folder, check=True, stdout=subprocess.DEVNULL)
@@ -77,7 +80,10 @@ def main() -> None:
             begun = time.monotonic()
             draw(entry)
             size = picture_of(entry).stat().st_size
-            print(f"{entry['scene']:24} {time.monotonic() - begun:6.1f} s {size / 1e3:6.1f} kB", flush=True)
+            print(
+                f"{entry['scene']:24} {time.monotonic() - begun:6.1f} s {size / 1e3:6.1f} kB",
+                flush=True,
+            )
 
 
 if __name__ == "__main__":

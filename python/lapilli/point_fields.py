@@ -25,9 +25,7 @@ FIELDS = (
     PointField(
         "body", "", "index", "always", "number of the body, from 0; walls come after the bodies"
     ),
-    PointField(
-        "volume", "m^3", "scalar", "always", "volume now; m^2 in two dimensions, m in one"
-    ),
+    PointField("volume", "m^3", "scalar", "always", "volume now; m^2 in two dimensions, m in one"),
     PointField("temperature", "K", "scalar", f"{HEAT}, {PD_HEAT}", "temperature at the point"),
     PointField(
         "temperature_carried",
@@ -38,7 +36,11 @@ FIELDS = (
     ),
     PointField("heat_flux", "W/m^2", "vector", HEAT, "heat flux density by conduction"),
     PointField(
-        "liquid_fraction", "", "scalar", HEAT, "share that has melted; of materials with latent heat"
+        "liquid_fraction",
+        "",
+        "scalar",
+        HEAT,
+        "share that has melted, with latent heat",
     ),
     PointField(
         "velocity",
@@ -47,9 +49,7 @@ FIELDS = (
         f"{DYNAMICS}, {PD_FLOW}",
         "velocity of the point; of points in a fluid's walls that which the wall shows",
     ),
-    PointField(
-        "displacement", "m", "vector", STATIC, "displacement since the start of the run"
-    ),
+    PointField("displacement", "m", "vector", STATIC, "displacement since the start of the run"),
     PointField(
         "stress", "Pa", "tensor", SOLIDS, "Cauchy stress, tension positive: xx, yy, zz, xy, yz, xz"
     ),

@@ -64,5 +64,6 @@ def test_the_recipe_of_conda_asks_for_what_the_package_asks_for() -> None:
     assert named("run", recipe) == {*project["project"]["dependencies"], python}
     built_with = {need for need in project["build-system"]["requires"] if "cmeel" not in need}
     assert built_with <= named("host", recipe)
-    version = re.search(r"project\(lapilli VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())
-    assert version and f'version: "{version[1]}"' in recipe
+    cmake = (ROOT / "CMakeLists.txt").read_text()
+    (version,) = re.findall(r"project\(lapilli VERSION ([0-9.]+)", cmake)
+    assert f'version: "{version}"' in recipe

@@ -15,8 +15,8 @@ sys.path.pop(0)
 
 LEAD = """# Gallery
 
-Each picture is made by the commands below it; `lapilli examples copy` copies the scene with the files
-that it reads. All but the thermals run in less than a minute on one core.
+Each picture is made by the commands below it; `lapilli examples copy` copies the scene with the
+files that it reads. Most run for some seconds, the thermals for a minute.
 """
 
 

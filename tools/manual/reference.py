@@ -1,4 +1,4 @@
-"""A hook of mkdocs: pages of reference, written from the program's own tables when the site is built.
+"""A hook of mkdocs: pages of reference, written from the program's own tables.
 
 One page for each part of a scene below `reference/`, `reference/fields.md`, `reference/history.md`.
 """
@@ -10,9 +10,10 @@ import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from mkdocs.structure.files import File
+
 from lapilli import _core
 from lapilli.point_fields import fields_as_markdown
-from mkdocs.structure.files import File
 
 
 class Page(NamedTuple):
@@ -84,7 +85,9 @@ def pages() -> Iterator[tuple[str, str]]:
 def key_tables() -> dict[str, str]:
     """The tables of `lapilli keys` by their headings."""
     parts = re.split(r"^## `(.+)`\n", _core.keys_as_markdown(""), flags=re.MULTILINE)
-    tables = {head: text.strip() + "\n" for head, text in zip(parts[1::2], parts[2::2], strict=True)}
+    tables = {
+        head: text.strip() + "\n" for head, text in zip(parts[1::2], parts[2::2], strict=True)
+    }
     # Of two sections with one name `lapilli keys` shows the first; the schema knows both.
     tables.setdefault("[peridynamics.heat]", table_of("heat_"))
     return tables
@@ -93,7 +96,9 @@ def key_tables() -> dict[str, str]:
 def table_of(definition: str) -> str:
     """A table of keys from the JSON Schema."""
     rows = ["| key | type | unit | allowed | default | meaning |", "|---|---|---|---|---|---|"]
-    for key, says in json.loads(_core.scene_schema())["definitions"][definition]["properties"].items():
+    for key, says in json.loads(_core.scene_schema())["definitions"][definition][
+        "properties"
+    ].items():
         kind = {"boolean": "true or false"}.get(says.get("type", ""), says.get("type", "string"))
         allowed = ", ".join(f'`"{word}"`' for word in says.get("enum", [])) or limits(says)
         default = json.dumps(says["default"]) if "default" in says else ""
@@ -130,10 +135,10 @@ def history_page() -> str:
 What a run records in time: `ring.csv` beside the frames, `result.history` in Python, and the run
 record (`history_columns` has the columns of that run with unit and meaning). `lapilli keys history`
 prints the same table. Columns of a physics begin with its name, `heat/surface_area`,
-`dynamics/kinetic_energy`; probes and fields have their own names. Forces, energies and areas are per
-metre of depth in two dimensions (N/m, J/m, m).
+`dynamics/kinetic_energy`; probes and fields have their own names. Forces, energies and areas are
+per metre of depth in two dimensions (N/m, J/m, m).
 
-{table.replace("<", "&lt;").replace(">", "&gt;")}
+{table}
 Obstacles and contacts of `[dynamics]` are recorded by their names: `dynamics/NAME_force_x` (N, per
 metre in the plane; on the obstacle), `NAME_torque_z` (N m), `NAME_work` (J), `NAME_contacts`, and
 `dynamics/A_on_B_force_x` between bodies.

@@ -17,8 +17,8 @@ def command(
     section: Annotated[
         str,
         Parameter(
-            help="one section (heat, heat.boundaries, shape, annulus); history: what runs record in "
-            "time; fields: what frames hold"
+            help="one section (heat, heat.boundaries, shape, annulus); history: what runs record "
+            "in time; fields: what frames hold"
         ),
     ] = "",
     /,

@@ -67,7 +67,9 @@ def place_keys(axes: Axes) -> None:
     """Put the key of arrows just above the frame, now that the axes are laid out."""
     from matplotlib.quiver import QuiverKey
 
-    height = axes.get_window_extent().height / axes.get_figure(root=True).dpi  # inches
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    height = axes.get_window_extent().height / figure.dpi  # inches
     for key in axes.findobj(QuiverKey):
         key.Y = 1 + KEY_ABOVE / height
 

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 Source = str | os.PathLike[str] | Frames
 Limits = tuple[float, float]
+LOW = 3.2  # inches: of a figure beside which a long label has no room
 
 
 def draw(
@@ -116,7 +117,10 @@ def paint(
         for panel, room in zip(axes, held or [[view] for view in views], strict=True):
             low, high = ends_of(room)
             panel.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
-        figure.colorbar(drawn[0], ax=list(axes), label=views[0].label, shrink=0.9, aspect=30)
+        label = views[0].label
+        if figure.get_figheight() < LOW:  # room for a word beside the colours
+            label = label.replace(", ", ",\n")
+        figure.colorbar(drawn[0], ax=list(axes), label=label, shrink=0.9, aspect=30)
     figure.draw_without_rendering()  # lays out the panels, so that metres have a size
     for panel, view, dots in zip(axes, views, drawn, strict=True):
         if view.is_plane:
