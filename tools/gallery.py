@@ -54,15 +54,16 @@ def draw(entry: dict[str, Any]) -> None:
     with tempfile.TemporaryDirectory() as folder:
         script = "\n".join(["set -e", program, *commands(entry)])
         subprocess.run(["bash", "-c", script], cwd=folder, check=True, stdout=subprocess.DEVNULL)
-        shrink(next(Path(folder).rglob("*.png")), picture_of(entry))
+        drawn = next(Path(folder).rglob("*.png"))
+        shrink(drawn, picture_of(entry), entry.get("width", WIDTH))
 
 
-def shrink(drawn: Path, kept: Path) -> None:
-    """A picture of the gallery's width with as many colours as its size allows."""
+def shrink(drawn: Path, kept: Path, width: int) -> None:
+    """A picture of the given width with as many colours as its size allows."""
     kept.parent.mkdir(parents=True, exist_ok=True)
     with Image.open(drawn) as image:
-        height = round(image.height * WIDTH / image.width)
-        small = image.convert("RGB").resize((WIDTH, height), Image.Resampling.LANCZOS)
+        height = round(image.height * width / image.width)
+        small = image.convert("RGB").resize((width, height), Image.Resampling.LANCZOS)
     for colours in (128, 64, 32, 16):
         small.quantize(colours, dither=Image.Dither.NONE).save(kept, optimize=True)
         if kept.stat().st_size < LARGEST:

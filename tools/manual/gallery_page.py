@@ -16,7 +16,7 @@ sys.path.pop(0)
 LEAD = """# Gallery
 
 Each picture is made by the commands below it; `lapilli examples copy` copies the scene with the
-files that it reads. Most run for some seconds, the thermals for a minute.
+files that it reads. Most run for some seconds.
 """
 
 
