@@ -15,7 +15,7 @@ ROOT = Path(__file__).parents[3]
 @pytest.fixture(scope="session")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of the site; warnings such as dead links are errors."""
-    for needed in ("material", "mkdocstrings", "latex2mathml"):
+    for needed in ("tomllib", "material", "mkdocstrings", "latex2mathml"):
         pytest.importorskip(needed)
     folder = tmp_path_factory.mktemp("site")
     command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--site-dir", folder]
