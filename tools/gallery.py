@@ -43,9 +43,14 @@ def commands(entry: dict[str, Any]) -> list[str]:
     ]
 
 
+def name_of(entry: dict[str, Any]) -> str:
+    """The name of an entry: that of its scene, or of the case that draws it."""
+    return str(entry.get("name", entry["scene"]))
+
+
 def picture_of(entry: dict[str, Any]) -> Path:
     """Where the picture of an entry is."""
-    return PICTURES / f"{entry['scene'].replace('/', '_')}.png"
+    return PICTURES / f"{name_of(entry).replace('/', '_')}.png"
 
 
 def draw(entry: dict[str, Any]) -> None:
@@ -54,7 +59,7 @@ def draw(entry: dict[str, Any]) -> None:
     with tempfile.TemporaryDirectory() as folder:
         script = "\n".join(["set -e", program, *commands(entry)])
         subprocess.run(["bash", "-c", script], cwd=folder, check=True, stdout=subprocess.DEVNULL)
-        drawn = next(Path(folder).rglob("*.png"))
+        drawn = next(Path(folder).rglob(entry.get("picture", "*.png")))
         shrink(drawn, picture_of(entry), entry.get("width", WIDTH))
 
 
@@ -77,12 +82,12 @@ def main() -> None:
     parser.add_argument("scenes", nargs="*")
     wanted = parser.parse_args().scenes
     for entry in entries():
-        if not wanted or entry["scene"] in wanted:
+        if not wanted or name_of(entry) in wanted:
             begun = time.monotonic()
             draw(entry)
             size = picture_of(entry).stat().st_size
             print(
-                f"{entry['scene']:24} {time.monotonic() - begun:6.1f} s {size / 1e3:6.1f} kB",
+                f"{name_of(entry):24} {time.monotonic() - begun:6.1f} s {size / 1e3:6.1f} kB",
                 flush=True,
             )
 

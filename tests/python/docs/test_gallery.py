@@ -39,7 +39,7 @@ def test_every_scene_of_a_user_is_shown() -> None:
     assert users <= shown
 
 
-@pytest.mark.parametrize("entry", ENTRIES, ids=[entry["scene"] for entry in ENTRIES])
+@pytest.mark.parametrize("entry", ENTRIES, ids=map(gallery.name_of, ENTRIES))
 def test_an_entry_has_its_picture_and_its_changes_are_known(
     entry: dict[str, Any], site: Path
 ) -> None:
@@ -58,7 +58,7 @@ def test_an_entry_has_its_picture_and_its_changes_are_known(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("entry", ENTRIES, ids=[entry["scene"] for entry in ENTRIES])
+@pytest.mark.parametrize("entry", ENTRIES, ids=map(gallery.name_of, ENTRIES))
 def test_the_commands_make_the_picture(
     entry: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
