@@ -14,6 +14,9 @@ export CCACHE_NOHASHDIR := 1
 export NO_MKDOCS_2_WARNING := 1
 export LAPILLI_BUILD := $(CURDIR)/$(BUILD)
 
+# What is read as prose, in British spelling.
+TEXTS := README.md CONTRIBUTING.md CHANGELOG.md SECURITY.md CODE_OF_CONDUCT.md docs
+
 # In place: the compiled part is built beside its sources, by cmake below.
 INSTALL := pip install --quiet --no-build-isolation --config-settings=wheel.cmake=false \
   --config-settings=editable.mode=inplace --editable
@@ -31,7 +34,7 @@ build/.packages: tools/system_packages.sh
 	@test -x $(BIN)/python || $(PYTHON) -m venv .venv
 	@echo "Installing Python packages into .venv"
 	@pip install --quiet "scikit-build-core>=0.10" "pybind11>=3.0,<3.2" "cmake>=3.25" ninja
-	@$(INSTALL) '.[plot,test]'
+	@$(INSTALL) '.[plot,test,docs]'
 	@touch $@
 
 $(BUILD)/build.ninja: .venv/.ready
@@ -77,12 +80,14 @@ bench: build  ## throughput, and error against cost: the tables of the README
 extremes: program  ## the map of stable, inaccurate and refused steps
 	@lapilli extremes --plot demo --json demo/extremes.json
 
-lint: build  ## formatting, style and types
+lint: build  ## formatting, style, types and spelling
 	@tools/system_packages.sh clang-format
 	@git ls-files '*.cpp' '*.hpp' | xargs /usr/bin/clang-format --dry-run --Werror
 	@ruff check python tests/python tools bench
 	@ruff format --check python tests/python tools bench
 	@mypy
+	@codespell $(TEXTS) cpp python examples tools
+	@codespell --dictionary tools/american.txt $(TEXTS)
 
 tidy: build  ## clang-tidy over all C++ sources (half an hour)
 	@tools/system_packages.sh clang-tidy
@@ -91,8 +96,7 @@ tidy: build  ## clang-tidy over all C++ sources (half an hour)
 stubs: program  ## write python/lapilli/_core.pyi anew
 	@python tools/write_stubs.py
 
-docs: program  ## the manual, in site/
-	@$(INSTALL) '.[docs]'
+docs: program  ## the manual, in site/: open site/index.html
 	@mkdocs build --strict
 
 wheel: .venv/.ready  ## a wheel for each of PYTHONS that runs without compiler and -dev packages, in dist/

@@ -23,6 +23,11 @@ def test_copy_takes_what_a_scene_reads_and_overwrites_nothing(tmp_path: Path) ->
     assert main(["examples", "copy", "vhfm/fan", "--to", str(tmp_path)]) == 2
 
 
+def test_a_scene_that_reads_a_file_is_checked_from_another_folder() -> None:
+    assert main(["examples", "copy", "vhfm/fan", "--quiet"]) == 0
+    assert main(["check", "vhfm/fan.toml"]) == 0
+
+
 def test_a_misspelt_name_gets_the_nearest(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["examples", "copy", "vhfm/rings"]) == 2
     assert "did you mean 'vhfm/ring'?" in capsys.readouterr().err

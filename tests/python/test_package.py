@@ -71,6 +71,7 @@ def test_the_wheel_holds_what_it_needs_and_no_more(wheel: Path) -> None:
     assert "lapilli/example_scenes/vhfm/fan.pgm" in names
     assert sum(name.endswith(".so") and "/_core" in name for name in names) == 1
     assert any(name.endswith("/lapilli-run") for name in names)
+    assert any(name.endswith("licences/hdf5.txt") for name in names)
     # HDF5 and libpng are in the module, so that next to nothing is put beside it
     libraries = [name for name in names if name.startswith("lapilli.libs/")]
     assert all("libgomp" in name for name in libraries), libraries

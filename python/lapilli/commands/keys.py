@@ -10,13 +10,15 @@ from lapilli import _core
 from lapilli.commands.codes import FINISHED
 from lapilli.commands.options import Json, Quiet, Verbose
 from lapilli.console import print_json
+from lapilli.point_fields import fields_as_markdown
 
 
 def command(
     section: Annotated[
         str,
         Parameter(
-            help="one section (heat, heat.boundaries, shape, annulus), or history: what runs record"
+            help="one section (heat, heat.boundaries, shape, annulus); history: what runs record "
+            "in time; fields: what frames hold"
         ),
     ] = "",
     /,
@@ -27,7 +29,7 @@ def command(
 ) -> int:
     """List the keys of a scene file: unit, range, default, meaning."""
     del quiet, verbose
-    text = _core.keys_as_markdown(section)
+    text = fields_as_markdown() if section == "fields" else _core.keys_as_markdown(section)
     if json:
         print_json(tables(text))
     else:

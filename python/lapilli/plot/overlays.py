@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[Any]
 ARROWS = 24  # along the longer side
+KEY_ABOVE = 0.12  # inches between the frame and the key of arrows
 
 
 def draw_vectors(axes: Axes, frame: Frame, view: View, field: str) -> Any:
@@ -49,16 +50,28 @@ def draw_vectors(axes: Axes, frame: Frame, view: View, field: str) -> Any:
         linewidth=0.4,
     )
     unit = frame.frames.unit(field)
+    axes.set_title(f"{axes.get_title()}\n", fontsize=10)  # a line for the key
     axes.quiverkey(
         drawn,
         0.04,
-        1.035,
+        1.03,  # see place_keys
         longest,
         f"{field} {longest:.3g} {unit}",
         labelpos="E",
         coordinates="axes",
     )
     return drawn
+
+
+def place_keys(axes: Axes) -> None:
+    """Put the key of arrows just above the frame, now that the axes are laid out."""
+    from matplotlib.quiver import QuiverKey
+
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    height = axes.get_window_extent().height / figure.dpi  # inches
+    for key in axes.findobj(QuiverKey):
+        key.Y = 1 + KEY_ABOVE / height
 
 
 def _spread(at: Array, apart: float) -> Array:

@@ -10,7 +10,7 @@ import numpy as np
 
 from lapilli.frames import Frame, Frames
 from lapilli.plot.canvas import dot_areas, ends_of, panels_for, require_matplotlib
-from lapilli.plot.overlays import draw_contours, draw_vectors
+from lapilli.plot.overlays import draw_contours, draw_vectors, place_keys
 from lapilli.plot.style import Style
 from lapilli.plot.view import NAMES, View, drawn_field, view_of
 from lapilli.whole_file import whole_file
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 Source = str | os.PathLike[str] | Frames
 Limits = tuple[float, float]
+LOW = 3.2  # inches: of a figure beside which a long label has no room
 
 
 def draw(
@@ -116,17 +117,22 @@ def paint(
         for panel, room in zip(axes, held or [[view] for view in views], strict=True):
             low, high = ends_of(room)
             panel.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
-        figure.colorbar(drawn[0], ax=list(axes), label=views[0].label, shrink=0.9, aspect=30)
+        label = views[0].label
+        if figure.get_figheight() < LOW:  # room for a word beside the colours
+            label = label.replace(", ", ",\n")
+        figure.colorbar(drawn[0], ax=list(axes), label=label, shrink=0.9, aspect=30)
     figure.draw_without_rendering()  # lays out the panels, so that metres have a size
     for panel, view, dots in zip(axes, views, drawn, strict=True):
         if view.is_plane:
             fit_dots(panel, view, dots)
+            place_keys(panel)
     return drawn
 
 
 def draw_view(axes: Axes, view: View, limits: Limits, colours: str) -> Any:
     """Points coloured by their values; in one dimension a curve."""
-    axes.set_title(f"t = {view.time:.4g} s", fontsize=10)
+    axes.set_title(f"t = {view.time:.5g} s", fontsize=10)
+    axes.locator_params(axis="x", nbins=6)  # numbers of many digits side by side
     axes.set_xlabel(NAMES[view.axes[0]])
     if not view.is_plane:
         order = view.rows[np.argsort(view.position[view.rows, 0])]

@@ -17,7 +17,7 @@ from lapilli.plot.view import view_of
 
 
 def labels(figure) -> list[str]:
-    return [axes.get_ylabel() for axes in figure.axes]
+    return [axes.get_ylabel().replace("\n", " ") for axes in figure.axes]
 
 
 def test_every_colour_bar_has_a_unit(heated: lp.Result, falling: lp.Result) -> None:
@@ -66,6 +66,34 @@ def test_arrows_and_contours_are_drawn(falling: lp.Result, heated: lp.Result) ->
     assert len(lines.texts) >= 3  # numbers on the lines
     with pytest.raises(ValueError, match="temperature is no vector field"):
         plot.draw(heated.frames, style=Style(vectors="temperature"))
+
+
+@pytest.mark.parametrize("size", [(2, 0.3), (1, 1), (0.3, 2)], ids=["wide", "square", "tall"])
+def test_the_key_of_arrows_has_a_line_of_its_own(size: tuple[float, float], tmp_path: Path) -> None:
+    """Above the frame and below the time, whatever the shape of the picture."""
+    from matplotlib.quiver import QuiverKey
+
+    box = lp.Body(
+        shape=lp.Box(lower=(0, 0), upper=size),
+        material=lp.Elastic(density=1000, youngs_modulus=1e5, poissons_ratio=0.3),
+        velocity=(0.1, -0.2),
+    )
+    scene = lp.Scene(
+        grid=lp.Grid(lower=(-0.1, -0.1), upper=(2.1, 2.1), cell=0.1),
+        bodies=[box],
+        dynamics=lp.Dynamics(),
+        time=lp.Time(end=1e-3),
+    )
+    result = lp.run(scene, tmp_path / "box.vtkhdf", progress=False)
+    figure = plot.draw(result.frames, "velocity", style=plot.Style(vectors="velocity"))
+    figure.draw_without_rendering()
+    axes = figure.axes[0]
+    (key,) = axes.findobj(QuiverKey)
+    frame, title, text = (one.get_window_extent() for one in (axes, axes.title, key.text))
+    assert frame.y1 <= text.y0
+    assert text.y1 <= (title.y0 + title.y1) / 2  # its first line
+    assert title.y1 <= figure.bbox.height
+    assert text.x1 <= figure.bbox.width
 
 
 def test_runs_beside_each_other_share_their_colours(heated: lp.Result, tmp_path: Path) -> None:
