@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "lapilli/mpm/quasi_static/simplex_cut.hpp"
 #include "lapilli/mpm/quasi_static/surface.hpp"
@@ -11,8 +12,7 @@ namespace {
 
 constexpr double nudge = 1e-7;  // cells; how far inside the material its cell is looked up
 
-// Of a cell: how near to planes flat faces are, and the faces of one curve.
-constexpr double flat = 1e-9, curved = 0.1;
+constexpr double flat = 1e-9;        // cells; how near to planes flat faces are
 constexpr double slight_bend = 0.8;  // cosine between normals of one facet
 
 constexpr int halvings[] = {0, 0, 5, 3};
@@ -56,16 +56,74 @@ class CellCutter {
         return;
       }
     }
-    const Fit smooth = fit_planes<Dim>(nudged_, cube, curved * cube.side, false);
-    const bool is_curve = fit.state == Fit::State::rough && smooth.state == Fit::State::cut &&
-                          smooth.planes.size() == 1;
-    if (is_curve || halvings_left == 0) {
+    if (halvings_left == 0 || !has_edge(cube)) {
       add_curve(cube);
       return;
     }
     for (int which = 0; which < (1 << Dim); ++which) {
       cut(cube.part(which), halvings_left - 1);
     }
+  }
+
+  /// The place of the surface nearest to another one; nothing where it is far.
+  std::optional<Vec<Dim>> foot_of(Vec<Dim> x, const Cube<Dim>& cube) const {
+    for (int round = 0; round < 12; ++round) {
+      const double distance = surface_.distance(in_space<Dim>(x));
+      if (std::abs(distance) < 1e-12 * cell_size_) {
+        break;
+      }
+      x -= distance * normal_at(x);
+    }
+    const bool is_near = (x - cube.middle()).cwiseAbs().maxCoeff() < 0.75 * cube.side;
+    return is_near ? std::optional(x) : std::nullopt;
+  }
+
+  Vec<Dim> normal_at(const Vec<Dim>& x) const {
+    return surface_.normal(in_space<Dim>(x)).template head<Dim>();
+  }
+
+  /// Whether faces meet in or beside a cube: normals that differ still do as their places draw near
+  /// to each other.
+  bool has_edge(const Cube<Dim>& cube) const {
+    std::vector<Vec<Dim>> feet;
+    for (int k = -1; k < (1 << Dim); ++k) {
+      Vec<Dim> sample = cube.middle();
+      for (int axis = 0; axis < Dim && k >= 0; ++axis) {
+        sample[axis] = cube.low[axis] + ((k >> axis) & 1) * cube.side;
+      }
+      if (const auto foot = foot_of(sample, cube)) {
+        feet.push_back(*foot);
+      }
+    }
+    for (std::size_t k = 0; k < feet.size(); ++k) {
+      for (std::size_t j = 0; j < k; ++j) {
+        if (bends(feet[k], feet[j]) && jumps_between(feet[k], feet[j], cube)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  bool bends(const Vec<Dim>& a, const Vec<Dim>& b) const {
+    return normal_at(a).dot(normal_at(b)) < slight_bend;
+  }
+
+  bool jumps_between(Vec<Dim> a, Vec<Dim> b, const Cube<Dim>& cube) const {
+    for (int round = 0; round < 8; ++round) {
+      const auto middle = foot_of(Vec<Dim>(0.5 * (a + b)), cube);
+      if (!middle) {
+        return false;
+      }
+      if (bends(a, *middle)) {
+        b = *middle;
+      } else if (bends(*middle, b)) {
+        a = *middle;
+      } else {
+        return false;
+      }
+    }
+    return true;
   }
 
   /// Flat faces, back at their place; the cube goes with them, so that every part belongs to one.

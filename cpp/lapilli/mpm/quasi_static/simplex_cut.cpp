@@ -152,8 +152,7 @@ void cut_simplices(const LevelSet& surface, const Cube<Dim>& cube, double shift,
     };
     std::vector<LevelSet> above;
     for (const LevelSet& region : trims) {
-      above.push_back({[&](const Vec3& at) { return region.distance(lifted(at)); },
-                       [&](const Vec3& at) { return region.normal(lifted(at)); }});
+      above.push_back({[&](const Vec3& at) { return region.distance(lifted(at)); }, {}});
     }
     for (const Piece<Dim>& part : trim_to<Dim>(above, piece, 1e-12 * size)) {
       const std::size_t first = points.size();

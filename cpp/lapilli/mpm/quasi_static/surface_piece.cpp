@@ -133,37 +133,42 @@ void trim_finely(const Piece<Dim>& piece, const LevelSet& outside, double size, 
   for (const Vec<Dim>& corner : piece) {
     radius = std::max(radius, (corner - whole.middle()).norm());
   }
+  // Without a normal it is no distance: what lies above a flat piece may be twice as far.
+  const double reach = outside.normal ? radius : 2.0 * radius;
   const double at_middle = depth(piece);
-  if (at_middle > radius) {
+  if (at_middle > reach) {
     kept.push_back(piece);
     return;
   }
-  if (at_middle < -radius || !(radius > 0.0)) {
+  if (at_middle < -reach || !(radius > 0.0)) {
     return;
   }
-  const PlaneFit<Dim> fit = fit_planes<Dim>(outside, around<Dim>(piece), flat * radius, false);
-  if (fit.state == State::full || fit.state == State::empty) {
-    if (fit.state == State::full) {
-      kept.push_back(piece);
-    }
-    return;
-  }
-  if (fit.state == State::cut) {
-    const std::vector<Piece<Dim>> parts = clip_to_planes<Dim>(piece, fit, slack);
-    // A face that no sample was nearest to would have cut them.
-    const double least = -10.0 * flat * radius - slack;
-    const auto is_in = [&](const Piece<Dim>& part) {
-      return depth(part) >= least && std::ranges::all_of(part, [&](const Vec<Dim>& corner) {
-               return -outside.distance(in_space<Dim>(corner)) >= least;
-             });
-    };
-    if (std::ranges::all_of(parts, is_in)) {
-      kept.insert(kept.end(), parts.begin(), parts.end());
+  bool is_curve = false;
+  if (outside.normal) {
+    const PlaneFit<Dim> fit = fit_planes<Dim>(outside, around<Dim>(piece), flat * radius, false);
+    if (fit.state == State::full || fit.state == State::empty) {
+      if (fit.state == State::full) {
+        kept.push_back(piece);
+      }
       return;
     }
+    if (fit.state == State::cut) {
+      const std::vector<Piece<Dim>> parts = clip_to_planes<Dim>(piece, fit, slack);
+      // A face that no sample was nearest to would have cut them.
+      const double least = -10.0 * flat * radius - slack;
+      const auto is_in = [&](const Piece<Dim>& part) {
+        return depth(part) >= least && std::ranges::all_of(part, [&](const Vec<Dim>& corner) {
+                 return -outside.distance(in_space<Dim>(corner)) >= least;
+               });
+      };
+      if (std::ranges::all_of(parts, is_in)) {
+        kept.insert(kept.end(), parts.begin(), parts.end());
+        return;
+      }
+    }
+    const PlaneFit<Dim> near = fit_planes<Dim>(outside, around<Dim>(piece), smooth * size, false);
+    is_curve = near.state == State::cut && near.planes.size() == 1;
   }
-  const PlaneFit<Dim> near = fit_planes<Dim>(outside, around<Dim>(piece), smooth * size, false);
-  const bool is_curve = near.state == State::cut && near.planes.size() == 1;
   if (!is_curve && halvings > 0) {
     for (const SurfacePiece<Dim>& part : whole.parts()) {
       trim_finely<Dim>(part.corners, outside, size, slack, halvings - 1, kept);
@@ -183,12 +188,14 @@ template <int Dim>
 std::vector<Piece<Dim>> trim_to(Trims regions, const Piece<Dim>& piece, double slack) {
   std::vector<Piece<Dim>> pieces{piece};
   for (const LevelSet& region : regions) {
-    const LevelSet outside{[&](const Vec3& x) { return -region.distance(x); },
-                           [&](const Vec3& x) { return Vec3(-region.normal(x)); }};
+    LevelSet outside{[&](const Vec3& x) { return -region.distance(x); }, {}};
+    if (region.normal) {
+      outside.normal = [&](const Vec3& x) { return Vec3(-region.normal(x)); };
+    }
     std::vector<Piece<Dim>> kept;
     for (const Piece<Dim>& one : pieces) {
       const double size = around<Dim>(one).side;
-      trim_finely<Dim>(one, outside, size, slack, 6, kept);
+      trim_finely<Dim>(one, outside, size, slack, region.normal ? 6 : 3, kept);
     }
     pieces = std::move(kept);
   }
