@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lapilli/mpm/surface/cube_parts.hpp"
+#include "lapilli/mpm/surface/trim_straight.hpp"
 
 namespace lapilli {
 namespace {
@@ -41,45 +42,6 @@ const std::vector<FlatPoint>& flat_rule() {
     return points;
   }();
   return rule;
-}
-
-/// Share of the way where a function that is positive at its start ceases to be. Bisection: regions
-/// bounded by several surfaces are all but zero on one side, which misleads secants.
-template <class Function>
-double last_inside(const Function& function) {
-  double low = 0.0, high = 1.0;
-  for (int round = 0; round < 52; ++round) {
-    const double middle = 0.5 * (low + high);
-    (function(middle) > 0.0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
-/// By lines between places on the edges of the piece.
-template <int Dim>
-Piece<Dim> trim_straight(const Piece<Dim>& piece, const LevelSet& region, double slack) {
-  const std::size_t count = piece.size();
-  std::vector<double> value(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    value[k] = region.distance(in_space<Dim>(piece[k]));
-    value[k] = std::abs(value[k]) <= slack ? 0.0 : value[k];
-  }
-  Piece<Dim> kept;
-  const std::size_t sides = Dim == 2 ? count - 1 : count;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (value[k] >= 0.0) {
-      kept.push_back(piece[k]);
-    }
-    const std::size_t next = (k + 1) % count;
-    if (k < sides && value[k] * value[next] < 0.0) {
-      const Vec<Dim> along = piece[next] - piece[k];
-      kept.push_back(piece[k] + last_inside([&](double share) {
-                                  return region.distance(in_space<Dim>(piece[k] + share * along)) *
-                                         (value[k] < 0.0 ? -1.0 : 1.0);
-                                }) * along);
-    }
-  }
-  return kept;
 }
 
 /// The parts of a piece in a region as the planes of its faces tell it.
@@ -175,8 +137,8 @@ void trim_finely(const Piece<Dim>& piece, const LevelSet& outside, double size, 
     }
     return;
   }
-  const LevelSet region{[&](const Vec3& x) { return -outside.distance(x); }, {}};
-  Piece<Dim> part = trim_straight<Dim>(piece, region, slack);
+  Piece<Dim> part = trim_straight<Dim>(
+      piece, [&](const Vec<Dim>& x) { return -outside.distance(in_space<Dim>(x)); }, slack);
   if (part.size() >= Dim) {
     kept.push_back(std::move(part));
   }

@@ -58,13 +58,12 @@ bool SurfaceDivision<Dim>::on_wall(const Vec<Dim>& at, const Vec<Dim>& normal) c
 
 template <int Dim>
 int SurfaceDivision<Dim>::label_at(const Vec<Dim>& at, const Vec<Dim>& normal, bool near) {
-  const double h = grid_.cell_size();
-  const Vec3 place = in_space<Dim>(at), outward = in_space<Dim>(normal);
   if (near) {
+    const Vec3 place = in_space<Dim>(at), outward = in_space<Dim>(normal);
     if (on_wall(at, normal)) {
       return on_wall_label;
     }
-    const Vec3 beyond = project(bodies_[own_], place) + gap * h * outward;
+    const Vec3 beyond = project(bodies_[own_], place) + gap * grid_.cell_size() * outward;
     for (std::size_t other = 0; other < bodies_.size(); ++other) {
       if (other != own_ && distance(bodies_[other], beyond) <= 0.0) {
         if (std::find(touching_.begin(), touching_.end(), other) == touching_.end()) {
@@ -75,20 +74,47 @@ int SurfaceDivision<Dim>::label_at(const Vec<Dim>& at, const Vec<Dim>& normal, b
     }
   }
   for (std::size_t law = 0; law < regions_.size(); ++law) {
-    const Shape* region = regions_[law];
-    if (region == nullptr) {
-      return static_cast<int>(law);
-    }
-    const double from = distance(*region, place);
-    if (from > slack * h) {
-      continue;
-    }
-    const double across = gradient(*region, place).dot(outward);
-    if (from <= h * std::max(1e-6, slack * std::pow(std::max(across, 0.0), 8))) {
+    if (depth_in(law, at, normal) >= 0.0) {
       return static_cast<int>(law);
     }
   }
   return nobody;
+}
+
+template <int Dim>
+double SurfaceDivision<Dim>::depth_in(std::size_t law, const Vec<Dim>& at,
+                                      const Vec<Dim>& normal) const {
+  const double h = grid_.cell_size();
+  const Shape* region = regions_[law];
+  if (region == nullptr) {
+    return h;
+  }
+  const Vec3 place = in_space<Dim>(at);
+  const double from = distance(*region, place);
+  if (std::abs(from) > slack * h) {
+    return -from;
+  }
+  const double across = gradient(*region, place).dot(in_space<Dim>(normal));
+  return h * std::max(1e-6, slack * std::pow(std::max(across, 0.0), 8)) - from;
+}
+
+/// At its corners, its middle and half way between these and each other.
+template <int Dim>
+bool SurfaceDivision<Dim>::has_one_label(const SurfacePiece<Dim>& piece, bool near) {
+  const Vec<Dim> middle = piece.middle();
+  const int label = label_at(middle, piece.normal, near);
+  const auto is_same = [&](const Vec<Dim>& at) {
+    return label_at(Vec<Dim>(at + 1e-6 * (middle - at)), piece.normal, near) == label;
+  };
+  const std::size_t count = piece.corners.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec<Dim>&corner = piece.corners[k], &next = piece.corners[(k + 1) % count];
+    if (!is_same(corner) || !is_same(Vec<Dim>(0.5 * (corner + middle))) ||
+        (Dim == 3 && !is_same(Vec<Dim>(0.5 * (corner + next))))) {
+      return false;
+    }
+  }
+  return true;
 }
 
 template class SurfaceDivision<1>;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lapilli/mpm/surface/cut_shape.hpp"
+#include "lapilli/mpm/surface/trim_straight.hpp"
 #include "lapilli/mpm/surface/wall_contact.hpp"
 
 namespace lapilli {
@@ -25,8 +26,8 @@ class SurfaceDivision {
   SurfaceDivision(const Grid<Dim>& grid, std::span<const Shape> bodies, std::size_t own,
                   std::vector<const Shape*> regions, const ContactFaces& walls);
 
-  /// Call body(law, piece) for the parts of a piece; at the edge of a region it is cut to a
-  /// hundredth of a cell (a tenth in three dimensions).
+  /// Call body(law, piece) for the parts of a piece. Where labels differ it is halved, at last to a
+  /// hundredth of a cell (a thirtieth in three dimensions), and cut along straight lines.
   template <class Body>
   void divide(const SurfacePiece<Dim>& piece, const Body& body) {
     divide(piece, near_others(piece), cuts, body);
@@ -35,29 +36,51 @@ class SurfaceDivision {
   const std::vector<std::size_t>& touching() const { return touching_; }
 
  private:
-  static constexpr int cuts = Dim == 2 ? 6 : Dim == 3 ? 2 : 0;
+  static constexpr int cuts = Dim == 2 ? 6 : Dim == 3 ? 4 : 0;
 
   template <class Body>
   void divide(const SurfacePiece<Dim>& piece, bool near, int cuts_left, const Body& body) {
-    const Vec<Dim> middle = piece.middle();
-    const int label = label_at(middle, piece.normal, near);
-    bool one = cuts_left == 0 || (!near && !has_regions_);
-    if (!one) {
-      one = true;
-      for (const Vec<Dim>& corner : piece.corners) {
-        const Vec<Dim> at = corner + 1e-6 * (middle - corner);
-        one = one && label_at(at, piece.normal, near) == label;
+    if ((!near && !has_regions_) || has_one_label(piece, near)) {
+      body(label_at(piece.middle(), piece.normal, near), piece);
+    } else if (cuts_left == 0) {
+      split(piece, near, body);
+    } else {
+      for (const SurfacePiece<Dim>& part : piece.parts()) {
+        divide(part, near, cuts_left - 1, body);
       }
-    }
-    if (one) {
-      body(label, piece);
-      return;
-    }
-    for (const SurfacePiece<Dim>& part : piece.parts()) {
-      divide(part, near, cuts_left - 1, body);
     }
   }
 
+  /// Cut at the edges of the regions.
+  template <class Body>
+  void split(SurfacePiece<Dim> piece, bool near, const Body& body) {
+    const int label = label_at(piece.middle(), piece.normal, near);
+    if (label < nobody || Dim == 1) {
+      body(label, piece);
+      return;
+    }
+    for (std::size_t law = 0; law < regions_.size(); ++law) {
+      SurfacePiece<Dim> part = piece;
+      for (const double sign : {1.0, -1.0}) {
+        const auto depth = [&](const Vec<Dim>& at) {
+          return sign * depth_in(law, at, piece.normal);
+        };
+        auto corners = trim_straight<Dim>(piece.corners, depth, 0.0);
+        (sign > 0.0 ? part : piece).corners = std::move(corners);
+        if (sign > 0.0 && part.corners.size() >= static_cast<std::size_t>(Dim)) {
+          body(static_cast<int>(law), part);
+        }
+      }
+      if (piece.corners.size() < static_cast<std::size_t>(Dim)) {
+        return;
+      }
+    }
+    body(nobody, piece);
+  }
+
+  bool has_one_label(const SurfacePiece<Dim>& piece, bool near);
+  /// How far a place lies in the region of a law, m; negative outside.
+  double depth_in(std::size_t law, const Vec<Dim>& at, const Vec<Dim>& normal) const;
   bool near_others(const SurfacePiece<Dim>& piece) const;
   int label_at(const Vec<Dim>& at, const Vec<Dim>& normal, bool near);
   bool on_wall(const Vec<Dim>& at, const Vec<Dim>& normal) const;

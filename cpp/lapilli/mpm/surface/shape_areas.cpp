@@ -31,10 +31,11 @@ std::vector<double> areas_of_shapes(const Grid<Dim>& grid, ShapeFunction functio
 }
 
 double AreaRatios::ratio_to(double wanted, std::span<const double> areas) {
-  // Beyond this the nodes have found another surface than that of the shape.
-  constexpr double most = 3.0;
+  // Beyond this the nodes have found another surface than that of the shape; a part of it smaller
+  // than a cell is found many times too large.
+  constexpr double most = 3.0, least = 1e-3;
   const double ratio = wanted / std::accumulate(areas.begin(), areas.end(), 0.0);
-  return ratio > 1.0 / most && ratio < most ? ratio : 1.0;
+  return ratio > least && ratio < most ? ratio : 1.0;
 }
 
 double AreaRatios::farthest() const {
