@@ -1848,6 +1848,8 @@ class Heat:
         take convection and radiation at the end of the step, stable for any coefficient
     corner_fit : bool, default True
         give sharp corners their whole area
+    subcycling : bool | None, default 'auto'
+        one step of heat for several of [dynamics], or several for one; where the clock chooses the step and transfer is affine or flip when not given
     boundaries : list[Flux | Convection | Radiation | PrescribedTemperature], default []
         fluxes and prescribed temperatures; the first region that covers a place wins
     contacts : list[HeatContact], default []
@@ -1859,7 +1861,7 @@ class Heat:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, method: typing.Literal['virtual', 'paper', 'particle', 'node'] = ..., transfer: typing.Literal['auto', 'nodal', 'affine', 'flip', 'pic', 'tpic'] = ..., time_integration: typing.Literal['auto', 'explicit', 'implicit'] = ..., tolerance: float = ..., theta: float = ..., solver: typing.Literal['auto', 'direct', 'cg'] = ..., temperature_unit: typing.Literal['kelvin', 'celsius'] | None = ..., blend: float = ..., normal_smoothing: int = ..., surface_fraction: float = ..., implicit_robin: bool = ..., corner_fit: bool = ..., boundaries: list[Flux | Convection | Radiation | PrescribedTemperature] = ..., contacts: list[HeatContact] = ...) -> None:
+    def __init__(self, *, method: typing.Literal['virtual', 'paper', 'particle', 'node'] = ..., transfer: typing.Literal['auto', 'nodal', 'affine', 'flip', 'pic', 'tpic'] = ..., time_integration: typing.Literal['auto', 'explicit', 'implicit'] = ..., tolerance: float = ..., theta: float = ..., solver: typing.Literal['auto', 'direct', 'cg'] = ..., temperature_unit: typing.Literal['kelvin', 'celsius'] | None = ..., blend: float = ..., normal_smoothing: int = ..., surface_fraction: float = ..., implicit_robin: bool = ..., corner_fit: bool = ..., subcycling: bool | None | str = ..., boundaries: list[Flux | Convection | Radiation | PrescribedTemperature] = ..., contacts: list[HeatContact] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -1930,6 +1932,14 @@ class Heat:
         """
     @solver.setter
     def solver(self, value: typing.Literal['auto', 'direct', 'cg']) -> None:
+        ...
+    @property
+    def subcycling(self) -> bool | None | str:
+        """
+        one step of heat for several of [dynamics], or several for one; where the clock chooses the step and transfer is affine or flip when not given
+        """
+    @subcycling.setter
+    def subcycling(self, value: bool | None | str) -> None:
         ...
     @property
     def surface_fraction(self) -> float:

@@ -35,6 +35,8 @@ constexpr Known known_diagnostics[] = {
     {"area_ratio", "", false,
      "area of the shape over what the nodes found at the start, by which areas are scaled"},
     {"negative_area_share", "", false, "share of negative nodal areas in the surface"},
+    {"steps_per_heat_step", "", false,
+     "steps of the run that one of heat covers, the mean so far; below 1 where several fit in one"},
     {"time_error", "", false,
      "estimated error of the steps so far, as a share of the span of temperatures"},
     {"implicit_steps", "", false, "implicit steps taken so far"},

@@ -17,6 +17,7 @@ struct Step {
   double size = 0.0;       // s
   Index index = 0;         // counts from 0
   bool output_due = true;  // whether somebody may look at the fields after this step
+  bool last = false;       // whether the clock stops after it: at a frame, at the end
 };
 
 /// How large a step may be. Both are infinite for implicit solvers.

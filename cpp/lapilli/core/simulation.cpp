@@ -74,19 +74,20 @@ StepReport Simulation::step(double until, bool output_due) {
   } else if (next.even && std::isfinite(left)) {
     size = left / std::ceil(left / size * (1.0 - 1e-6));
   }
-  StepReport report = advance(size, output_due || (size == left && end == until));
+  const bool last = size == left && end == until;
+  StepReport report = advance(size, output_due || last, last);
   if (size == left && report.accepted == size) {
     time_ = end;
   }
   return report;
 }
 
-StepReport Simulation::advance(double size, bool output_due) {
+StepReport Simulation::advance(double size, bool output_due, bool last) {
   StepReport total;
   total.accepted = size;
   try {
     for (const auto& physics : physics_) {
-      const StepReport report = physics->advance({time_, size, index_, output_due});
+      const StepReport report = physics->advance({time_, size, index_, output_due, last});
       total.accepted = std::min(total.accepted, report.accepted);
       total.iterations += report.iterations;
       total.residual = std::max(total.residual, report.residual);

@@ -58,7 +58,7 @@ class Simulation {
     bool even = false;
   };
   NextStep next_step() const;
-  StepReport advance(double size, bool output_due);
+  StepReport advance(double size, bool output_due, bool last);
   void require_whole() const;
   /// Remember the largest amount that every balance has seen.
   void watch_balances();

@@ -111,6 +111,8 @@ constexpr Rule rules[] = {
     {"heat.implicit_robin",
      [](const Scene& scene, std::size_t) { return !has_boundary<Convection, Radiation>(scene); },
      "there is neither convection nor radiation"},
+    {"heat.subcycling", [](const Scene& scene, std::size_t) { return !scene.dynamics; },
+     "without [dynamics] every step is one of heat"},
     {"dynamics.pic_fraction",
      [](const Scene& scene, std::size_t) {
        return scene.dynamics->transfer != VelocityTransfer::flip;

@@ -213,6 +213,11 @@ std::vector<double> coupling_of(const Scene& scene, double Coupling::*member) {
 template <int Dim>
 void couple(const Scene& scene, Points& points, ParticleHeat<Dim>& heat, Dynamics<Dim>& dynamics,
             PhysicsList& physics) {
+  heat.follow({[&dynamics] { return dynamics.speed(); },
+               [&dynamics] { return dynamics.step_limit().automatic; }});
+  if (heat.carried_gradient() != nullptr) {
+    dynamics.turn(*heat.carried_gradient());
+  }
   const auto shares = coupling_of(scene, &PlasticHeating::share);
   if (!shares.empty()) {
     physics.push_back(std::make_unique<PlasticHeat>(
@@ -221,8 +226,12 @@ void couple(const Scene& scene, Points& points, ParticleHeat<Dim>& heat, Dynamic
   }
   const auto coefficients = coupling_of(scene, &ThermalExpansion::coefficient);
   if (!coefficients.empty()) {
-    physics.push_back(std::make_unique<ThermalStrain>(points, heat.carried_temperature(),
-                                                      dynamics.free_strain(), coefficients));
+    auto strain = std::make_unique<ThermalStrain>(points, heat.carried_temperature(),
+                                                  dynamics.free_strain(), coefficients);
+    if (const SubCycle* own = heat.sub_cycle()) {
+      strain->follow(own->change(), [own] { return own->ahead(); });
+    }
+    physics.push_back(std::move(strain));
   }
 }
 

@@ -331,7 +331,6 @@ CheckReport check(const Scene& scene) {
   describe_grid(scene, report);
   describe_bodies(scene, *simulation, report);
   describe_physics(scene, report);
-  describe_choices(*simulation, report);
   for (const std::string& note : unused_settings(scene)) {
     report.notes.push_back(note);
   }
@@ -340,6 +339,7 @@ CheckReport check(const Scene& scene) {
       memory_of(scene, static_cast<double>(report.nodes), static_cast<double>(report.points));
   report.output = output_of(scene, *simulation);
   measure_steps(*simulation, report);
+  describe_choices(*simulation, report);  // how often heat steps is known by now
   return report;
 }
 

@@ -111,3 +111,44 @@ TEST_CASE("expansion coefficients that are missing or not finite are refused") {
   REQUIRE_THROWS_WITH(ThermalStrain(points, temperature, strain, {1e-5, NAN}),
                       Catch::Contains("finite"));
 }
+
+namespace {
+
+/// Gradients of ones on a block that is sheared and turned for some steps, all in one row.
+template <int Dim>
+std::vector<double> carried(bool handed_over) {
+  Vec<Dim> low = Vec<Dim>::Zero(), high = Vec<Dim>::Ones();
+  Run<Dim> run(Grid<Dim>(low, high, 0.125), ShapeFunction::gimp);
+  DynamicsBody body{elastic(1000, 1e5, 0.3), 0.25, {}, {}};
+  body.velocity = [](const Vec3& x) { return Vec3(-2.0 * x[1], 3.0 * x[0] + x[2], 0.5 * x[0]); };
+  run.add(body, 2,
+          [](const Vec<Dim>& x) { return (x.array() > 0.25).all() && (x.array() < 0.75).all(); });
+  PointArray gradient(run.points, Dim, 1.0, PointArray::Kind::gradient);
+  run.start();
+  if (handed_over) {
+    run.solver->turn(gradient);
+  }
+  for (int k = 0; k < 20; ++k) {
+    run.advance(1e-3);
+  }
+  return {gradient.values().begin(), gradient.values().end()};
+}
+
+template <int Dim>
+void compare_carried() {
+  const std::vector<double> turned = carried<Dim>(true), moved = carried<Dim>(false);
+  double largest = 0.0, change = 0.0;
+  for (std::size_t k = 0; k < turned.size(); ++k) {
+    largest = std::max(largest, std::abs(turned[k] - moved[k]));
+    change = std::max(change, std::abs(turned[k] - 1.0));
+  }
+  CHECK(change > 0.02);
+  CHECK(largest < 1e-14);  // rounding of twenty products near one
+}
+
+}  // namespace
+
+TEST_CASE("a gradient that dynamics turns is the one that points carry") {
+  compare_carried<2>();
+  compare_carried<3>();
+}

@@ -44,6 +44,7 @@ TEST_CASE("a setting that nothing reads is named with the reason") {
                Idle{"heat.tolerance=1e-3", "heat.tolerance", "the step is given"},
                Idle{"heat.surface_fraction=0.4", "heat.surface_fraction", "is not paper"},
                Idle{"heat.blend=2", "heat.blend", "only heat.transfer = affine"},
+               Idle{"heat.subcycling=true", "heat.subcycling", "without [dynamics]"},
                Idle{"heat.implicit_robin=false", "heat.implicit_robin", "neither"},
                Idle{"bodies[0].seed=3", "bodies[0].seed", "neither jitter nor random"},
                Idle{"bodies[0].rotation_center=[1, 1]", "bodies[0].rotation_center", "rotated"});

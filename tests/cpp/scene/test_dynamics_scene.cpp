@@ -101,7 +101,8 @@ TEST_CASE("a scene allocates the fields of its physics and no others") {
     CHECK_THAT(name, StartsWith("heat/"));
   }
   const Names both = point_arrays(text_of_parts({start, soil, warm, dynamics, heat, end}));
-  CHECK(both.contains("dynamics/deformation"));  // turns the gradients that heat carries
+  CHECK(both.contains("heat/sub_cycle/change"));  // by which temperature goes on between its steps
+  CHECK_FALSE(both.contains("dynamics/deformation"));
   CHECK_FALSE(both.contains("dynamics/plastic"));
   CHECK_FALSE(both.contains("dynamics/free_strain"));
   const Names coupled =

@@ -36,6 +36,14 @@ EFFECTS: dict[str, Effect] = {
     ),
     "Heat.implicit_robin": Effect(D, "heat.implicit_robin", True, False, TEMPERATURE, "!="),
     "Heat.corner_fit": Effect(v.box_plate, "heat.corner_fit", True, False, supplied("heat"), "!="),
+    "Heat.subcycling": Effect(
+        scenes.soil_block,
+        "heat.subcycling",
+        False,
+        True,
+        lambda s: s.diagnostics().get("heat/steps_per_heat_step", 1.0),
+        ">",
+    ),
     "Flux.value": Effect(
         v.flux_disk, "heat.boundaries[0].value", 1.0, 2.5, supplied("heat"), "x", 2.5
     ),

@@ -52,7 +52,7 @@ Dynamics<Dim>::Dynamics(Points& points, const DynamicsProblem<Dim>& problem)
 
 template <int Dim>
 StepReport Dynamics<Dim>::advance(const Step& step) {
-  if (data_.points.carry_gradients()) {
+  if (data_.turned == nullptr && data_.points.carry_gradients()) {
     incremental_deformation();
   }
   keep_order(step.size);
@@ -152,7 +152,7 @@ double Dynamics<Dim>::local_damping(double time) const {
 /// Gradients that other physics keep on the points turn and stretch with them.
 template <int Dim>
 void Dynamics<Dim>::carry_points() {
-  if (!data_.points.carry_gradients()) {
+  if (data_.turned != nullptr || !data_.points.carry_gradients()) {
     data_.points.moved();
     return;
   }

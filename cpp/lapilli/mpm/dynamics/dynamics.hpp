@@ -40,6 +40,9 @@ class Dynamics final : public Physics, public HasSurface, public Warnings, publi
 
   /// Incremental deformation gradient of the last step minus one, Dim x Dim a row.
   const PointArray& incremental_deformation();
+  /// Let a gradient of another physics, Dim a row, turn and stretch with the points: the only one
+  /// they carry.
+  void turn(PointArray& gradient) { data_.turned = &gradient; }
   /// Heat that plastic work left in each point since its owner last set it to zero, J.
   PointArray& plastic_work();
   /// Isotropic free strain (of heat, of moisture) that the next step shall contain; taken as it is
@@ -49,6 +52,7 @@ class Dynamics final : public Physics, public HasSurface, public Warnings, publi
   const PointArray& velocity() const { return data_.velocity; }  // m/s
   const PointArray& stress() const { return data_.stress; }      // Pa; xx yy zz xy (yz xz)
   const PointArray& mass() const { return data_.mass; }          // kg
+  double speed() const { return speed_; }                        // m/s, of the fastest point
 
   /// Angular momentum about the origin, affine part included, kg m2/s.
   Vec3 angular_momentum() const;

@@ -102,6 +102,7 @@ struct DynamicsData {
   std::unique_ptr<PointArray> opened;       // volume strain between grains that have parted
   std::unique_ptr<PointArray> strain_rate;  // 1/s, of the nodes around it, last; blended_apic
   std::unique_ptr<PointArray> deformation;  // incremental deformation gradient minus one, on demand
+  PointArray* turned = nullptr;             // gradient of another physics that follows the points
   std::unique_ptr<PointArray> plastic;      // J dissipated since last taken, on demand
   std::unique_ptr<PointArray> free_strain;  // isotropic strain of the next step, on demand
   StateArrays states;                       // of the solids

@@ -26,11 +26,18 @@ ThermalStrain::ThermalStrain(Points& points, const PointArray& temperature, Poin
   std::ranges::copy(temperature_.values(), before_.data());
 }
 
+void ThermalStrain::follow(const PointArray& change, std::function<double()> ahead) {
+  change_ = &change;
+  ahead_ = std::move(ahead);
+}
+
 StepReport ThermalStrain::advance(const Step& step) {
+  const double ahead = change_ != nullptr ? ahead_() : 0.0;
   parallel_for(points_.size(), [&](Index row) {
+    const double now = temperature_[row] + (ahead > 0.0 ? ahead * (*change_)[row] : 0.0);
     const double coefficient = coefficients_[points_.body()[row]];
-    free_strain_[row] = coefficient * (temperature_[row] - before_[row]);
-    before_[row] = temperature_[row];
+    free_strain_[row] = coefficient * (now - before_[row]);
+    before_[row] = now;
   });
   StepReport report;
   report.accepted = step.size;

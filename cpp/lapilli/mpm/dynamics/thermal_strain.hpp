@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ class ThermalStrain : public Physics {
   /// `coefficients` (1/K) by body. Throws std::invalid_argument unless they are finite.
   ThermalStrain(Points& points, const PointArray& temperature, PointArray& free_strain,
                 std::vector<double> coefficients);
+  /// Between steps of heat temperature goes on by `ahead()` times its last `change` (K), so that
+  /// strain comes with every step and not all at once.
+  void follow(const PointArray& change, std::function<double()> ahead);
 
   std::string name() const override { return "thermal expansion"; }
   StepLimit step_limit() const override { return {}; }
@@ -31,6 +35,8 @@ class ThermalStrain : public Physics {
   PointArray& free_strain_;
   std::vector<double> coefficients_;
   PointArray before_;  // K
+  const PointArray* change_ = nullptr;
+  std::function<double()> ahead_;
 };
 
 }  // namespace lapilli

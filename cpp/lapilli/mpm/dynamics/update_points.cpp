@@ -34,6 +34,29 @@ PointSums sum_over_points(Index count, const Body& body) {
   return total;
 }
 
+/// G <- F^-T G with F = 1 + A of every point of a block.
+template <int Dim>
+void turn_gradients(double* gradient, const DeformationBlock<Dim>& block, int rows) {
+  const auto& a = block.gradient;
+  for (int k = 0; k < rows; ++k) {
+    double* g = gradient + k * Dim;
+    if constexpr (Dim == 2) {
+      const double xx = 1.0 + a[0][k], yy = 1.0 + a[3][k];
+      const double scale = 1.0 / (xx * yy - a[1][k] * a[2][k]);
+      const double x = g[0];
+      g[0] = scale * (yy * x - a[2][k] * g[1]);
+      g[1] = scale * (xx * g[1] - a[1][k] * x);
+    } else {
+      Mat<Dim> deformation = Mat<Dim>::Identity();
+      for (int c = 0; c < Dim * Dim; ++c) {
+        deformation(c / Dim, c % Dim) += a[c][k];
+      }
+      Eigen::Map<Vec<Dim>> at(g);
+      at = Vec<Dim>(deformation.inverse().transpose() * at);
+    }
+  }
+}
+
 /// Deform the points of a staged block, one run of equal bodies at a time.
 template <int Dim>
 void deform_block(DynamicsData<Dim>& data, const DeformationBlock<Dim>& block, double step,
@@ -65,6 +88,9 @@ void deform_block(DynamicsData<Dim>& data, const DeformationBlock<Dim>& block, d
     sums.least_volume = std::min(sums.least_volume, found.least_volume);
     sums.wave_speed = std::max(sums.wave_speed, material.wave_modulus * found.wave_ratio);
     first = last;
+  }
+  if (data.turned != nullptr) {
+    turn_gradients<Dim>(data.turned->data() + begin * Dim, block, rows);
   }
   if (data.deformation) {
     double* to = data.deformation->data() + begin * Dim * Dim;

@@ -177,6 +177,7 @@ struct HeatSettings {
   double surface_fraction = 0.55;       // eta of the paper's surface rule
   bool implicit_robin = true;           // convection and radiation at the end of the step
   bool corner_fit = true;               // fitted vector at sharp corners
+  std::optional<bool> subcycling;       // heat in steps of its own beside those of [dynamics]
   std::vector<HeatBoundary> boundaries;
   std::vector<HeatContact> contacts;
 
@@ -210,6 +211,11 @@ struct HeatSettings {
                 "take convection and radiation at the end of the step, stable for any coefficient"),
         self.implicit_robin);
     visit(Key("corner_fit").text("give sharp corners their whole area"), self.corner_fit);
+    visit(Key("subcycling")
+              .absent("auto")
+              .text("one step of heat for several of [dynamics], or several for one; where the "
+                    "clock chooses the step and transfer is affine or flip when not given"),
+          self.subcycling);
     visit(
         Key("boundaries")
             .text("fluxes and prescribed temperatures; the first region that covers a place wins"),

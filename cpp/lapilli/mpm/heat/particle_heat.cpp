@@ -99,19 +99,20 @@ void ParticleHeat<Dim>::bound_step() {
 }
 
 template <int Dim>
-StepLimit ParticleHeat<Dim>::step_limit() const {
-  StepLimit limit = limit_;
-  if (growth_ > 0.0 && 0.2 / growth_ < limit.automatic) {
-    limit.automatic = 0.2 / growth_;
-    limit.reason = "a source that heats itself";
-  }
-  return limit;
-}
-
-template <int Dim>
 StepReport ParticleHeat<Dim>::advance(const Step& step) {
   order_.update(points_);
   bound_step();
+  output_is_current_ = false;
+  if (!sub_cycle_) {
+    take_step(step);
+  } else if (const auto due = sub_cycle_->due(step, own_limit().automatic)) {
+    take_due(*due);
+  }
+  return {step.size, 0, 0.0};
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::take_step(const Step& step) {
   project_to_grid();
   require_in_range();
   find_surface();
@@ -122,7 +123,6 @@ StepReport ParticleHeat<Dim>::advance(const Step& step) {
   if (step.output_due || step.index % 128 == 0) {
     require_finite();
   }
-  return {step.size, 0, 0.0};
 }
 
 template <int Dim>
@@ -205,7 +205,6 @@ void ParticleHeat<Dim>::update_points(const Step& step) {
   });
   grid_.update(points_, grid_.blended, beta, temperature_.data(),
                affine_ ? gradient_->data() : nullptr);
-  output_is_current_ = false;
   if (step.output_due) {
     grid_.for_active_nodes([&](Index begin, Index end) {
       for (Index node = begin; node < end; ++node) {

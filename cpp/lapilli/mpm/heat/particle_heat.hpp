@@ -5,11 +5,13 @@
 #include <optional>
 #include <utility>
 
+#include "lapilli/core/says_model.hpp"
 #include "lapilli/mpm/heat/boundary_conditions.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/heat/heat_source.hpp"
 #include "lapilli/mpm/heat/heat_surface.hpp"
 #include "lapilli/mpm/heat/point_grid_transfer.hpp"
+#include "lapilli/mpm/heat/sub_cycle.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
 #include "lapilli/mpm/transfer/cell_order.hpp"
 
@@ -23,7 +25,7 @@ namespace lapilli {
 /// FLIP and PIC have no gradient G and beta 0 and 1; TPIC has beta 1; `affine` has
 /// beta = 1 - exp(-c dt alpha/h^2), so that its smoothing does not depend on the step.
 template <int Dim>
-class ParticleHeat final : public Physics, public HasSurface {
+class ParticleHeat final : public Physics, public HasSurface, public SaysModel {
  public:
   ParticleHeat(Points& points, HeatProblem<Dim> problem);
 
@@ -34,13 +36,19 @@ class ParticleHeat final : public Physics, public HasSurface {
   std::vector<Field> fields() override;
   std::vector<Balance> balances() const override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
+  std::vector<std::string> modelled() const override;
   SurfaceView surface() const override { return laws_.surface(); }
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
 
   /// What points carry, K: for laws of other physics, and for them to add heat to.
   PointArray& carried_temperature() { return temperature_; }
-  const PointArray& capacity() const { return capacity_; }  // rho0 c V0, J/K
+  PointArray* carried_gradient() { return gradient_.get(); }  // K/m; null for flip and pic
+  const PointArray& capacity() const { return capacity_; }    // rho0 c V0, J/K
+  /// Let heat take steps of its own, whatever those of the clock, where the settings allow it.
+  void follow(SubCycle::Motion motion);
+  /// Null where heat takes the steps of the clock.
+  const SubCycle* sub_cycle() const { return sub_cycle_.get(); }
   /// Book heat that another physics added to the carried temperatures, J.
   void book_plastic(double heat) {
     plastic_ += heat;
@@ -49,6 +57,9 @@ class ParticleHeat final : public Physics, public HasSurface {
 
  private:
   void bound_step();
+  StepLimit own_limit() const;
+  void take_due(const SubCycle::Due& due);
+  void take_step(const Step& step);
 
   // The phases of a step.
   void project_to_grid();
@@ -65,6 +76,9 @@ class ParticleHeat final : public Physics, public HasSurface {
   void find_growth(double time);
   double blend(double step) const;
   void show(const std::vector<double>& nodal);
+  std::vector<double> supplied() const;
+  double exchange_rate() const;
+  std::vector<double> temperature_now() const;
   void require_finite() const;
   /// Throws RunError when nodes have left every temperature that the scene can reach.
   void require_in_range() const;
@@ -88,6 +102,7 @@ class ParticleHeat final : public Physics, public HasSurface {
   std::vector<double> relaxation_;
   double conductivity_ = 0.0;  // the least of the bodies, W/(m K)
   bool relaxes_ = false;       // some node in this step
+  std::unique_ptr<SubCycle> sub_cycle_;
   StepLimit limit_;
   double carried_limit_ = std::numeric_limits<double>::infinity();  // s, of FLIP at the start
   TemperatureRange range_;
@@ -98,6 +113,7 @@ class ParticleHeat final : public Physics, public HasSurface {
   double area_ = 0.0, negative_share_ = 0.0;
 
   std::unique_ptr<PointArray> output_temperature_, output_flux_;
+  std::unique_ptr<PointArray> output_carried_;  // K, at the time of the clock; with sub_cycle_
   bool output_is_current_ = false;
 };
 

@@ -1,5 +1,6 @@
 #include "lapilli/mpm/heat/particle_heat.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -56,7 +57,12 @@ template <int Dim>
 void ParticleHeat<Dim>::refresh_output() {
   if (!output_is_current_) {
     order_.update(points_);
-    project_to_grid();
+    if (sub_cycle_) {
+      grid_.project(points_, order_, capacity_.data(), temperature_now().data(),
+                    affine_ ? gradient_->data() : nullptr);
+    } else {
+      project_to_grid();
+    }
     show(grid_.temperature);
   }
   require_finite();
@@ -67,9 +73,13 @@ std::vector<Field> ParticleHeat<Dim>::fields() {
   if (!output_temperature_) {
     refresh_output();
   }
-  return {{"temperature", "K", 1, output_temperature_->values()},
-          {"temperature_carried", "K", 1, temperature_.values()},
-          {"heat_flux", "W/m^2", Dim, output_flux_->values()}};
+  if (output_carried_) {
+    std::ranges::copy(temperature_now(), output_carried_->data());
+  }
+  return {
+      {"temperature", "K", 1, output_temperature_->values()},
+      {"temperature_carried", "K", 1, (output_carried_ ? *output_carried_ : temperature_).values()},
+      {"heat_flux", "W/m^2", Dim, output_flux_->values()}};
 }
 
 template <int Dim>
@@ -78,16 +88,28 @@ std::vector<Balance> ParticleHeat<Dim>::balances() const {
   if (source_) {
     balance.entries.push_back({"source", source_->booked()});
   }
+  const bool ahead = sub_cycle_ && sub_cycle_->ahead() > 0.0;
+  for (std::size_t k = 0; ahead && k < balance.entries.size(); ++k) {
+    balance.entries[k].in += sub_cycle_->ahead() * sub_cycle_->supply()[k];
+  }
   if (plastic_ != 0.0) {
     balance.entries.push_back({"plastic work", plastic_});
   }
-  add_stored_heat(capacity_.values(), temperature_.values(), balance);
+  if (ahead) {
+    add_stored_heat(capacity_.values(), temperature_now(), balance);
+  } else {
+    add_stored_heat(capacity_.values(), temperature_.values(), balance);
+  }
   return {balance};
 }
 
 template <int Dim>
 std::vector<std::pair<std::string, double>> ParticleHeat<Dim>::diagnostics() const {
-  return surface_diagnostics(laws_, negative_share_);
+  auto all = surface_diagnostics(laws_, negative_share_);
+  if (sub_cycle_) {
+    all.emplace_back("steps_per_heat_step", sub_cycle_->mean_steps());
+  }
+  return all;
 }
 
 template <int Dim>
@@ -102,11 +124,16 @@ void ParticleHeat<Dim>::save(Archive& archive) const {
   if (surface_) {
     surface_->save(archive, "heat/outside");
   }
+  if (sub_cycle_) {
+    sub_cycle_->save(archive);
+  }
   archive.write("heat/initial", initial_);
   archive.write("heat/growth", growth_);
   archive.write("heat/plastic", plastic_);
   archive.write("heat/source", source_ ? source_->booked() : 0.0);
-  archive.write("heat/limit", std::array{limit_.hard, limit_.automatic});
+  // Points that others have sorted since want another bound.
+  const double bounded = limited_ordering_ == points_.ordering() ? 1.0 : 0.0;
+  archive.write("heat/limit", std::array{limit_.hard, limit_.automatic, bounded});
   archive.write("heat/shown", output_is_current_ ? Index{1} : Index{0});
   if (output_is_current_) {
     archive.write("heat/output_temperature", std::as_const(*output_temperature_).values());
@@ -126,6 +153,9 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
   if (surface_) {
     surface_->load(archive, "heat/outside");
   }
+  if (sub_cycle_) {
+    sub_cycle_->load(archive);
+  }
   initial_ = archive.read_number("heat/initial");
   plastic_ = archive.read_number("heat/plastic");
   growth_ = archive.read_number("heat/growth");
@@ -133,11 +163,11 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
   if (source_) {
     source_->set_booked(archive.read_number("heat/source"));
   }
-  std::array<double, 2> limits{};
+  std::array<double, 3> limits{};
   archive.read("heat/limit", std::span<double>(limits));
   limit_.hard = limits[0];
   limit_.automatic = limits[1];
-  limited_ordering_ = points_.ordering();
+  limited_ordering_ = limits[2] != 0.0 ? points_.ordering() : -1;
   output_is_current_ = archive.read_index("heat/shown") != 0;
   if (output_is_current_) {
     show(grid_.temperature);

@@ -1,0 +1,138 @@
+// When heat takes a step, and what it is between two.
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/core/parallel.hpp"
+#include "lapilli/mpm/heat/particle_heat.hpp"
+
+namespace lapilli {
+namespace {
+
+bool is_function(const HeatBoundary& law) {
+  const auto any = [](const auto&... values) { return (values.is_function() || ...); };
+  if (const auto* convection = std::get_if<Convection>(&law)) {
+    return any(convection->coefficient, convection->ambient);
+  }
+  if (const auto* radiation = std::get_if<Radiation>(&law)) {
+    return any(radiation->emissivity, radiation->ambient);
+  }
+  const auto* flux = std::get_if<Flux>(&law);
+  return any(flux != nullptr ? flux->value : std::get<PrescribedTemperature>(law).value);
+}
+
+/// Whether steps of heat may be long unasked: nobody chose the step, the transfer smooths by the
+/// time and not by the step, and there is no function, which nobody knows to change how fast.
+template <int Dim>
+bool bears_long_steps(const HeatProblem<Dim>& problem, HeatTransfer transfer) {
+  return !problem.fixed_steps &&
+         (transfer == HeatTransfer::affine || transfer == HeatTransfer::flip) &&
+         std::ranges::none_of(problem.settings.boundaries, is_function) &&
+         std::ranges::none_of(problem.bodies,
+                              [](const HeatBody& body) { return body.source.is_function(); });
+}
+
+}  // namespace
+
+template <int Dim>
+void ParticleHeat<Dim>::follow(SubCycle::Motion motion) {
+  if (problem_.settings.subcycling.value_or(bears_long_steps(problem_, transfer_))) {
+    sub_cycle_ = std::make_unique<SubCycle>(points_, problem_.grid.cell_size(), std::move(motion));
+    output_carried_ = std::make_unique<PointArray>(points_, 1);
+  }
+}
+
+template <int Dim>
+StepLimit ParticleHeat<Dim>::step_limit() const {
+  StepLimit limit = own_limit();
+  if (sub_cycle_) {
+    limit.hard *= SubCycle::most_parts;
+    limit.automatic = sub_cycle_->longest(limit.automatic);
+  }
+  return limit;
+}
+
+template <int Dim>
+StepLimit ParticleHeat<Dim>::own_limit() const {
+  StepLimit limit = limit_;
+  if (growth_ > 0.0 && 0.2 / growth_ < limit.automatic) {
+    limit.automatic = 0.2 / growth_;
+    limit.reason = "a source that heats itself";
+  }
+  return limit;
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::take_due(const SubCycle::Due& due) {
+  sub_cycle_->before(temperature_, supplied());
+  Step part = due.step;
+  part.size /= static_cast<double>(due.parts);
+  for (Index taken = 1; taken <= due.parts; ++taken) {
+    part.output_due = due.step.output_due && taken == due.parts;
+    take_step(part);
+    part.time += part.size;
+  }
+  sub_cycle_->after(temperature_, supplied(), exchange_rate());
+}
+
+/// How fast nodes come to the temperature of their surroundings, 1/s: slope over capacity, the mean
+/// over the nodes of a law, however little of some is filled; the largest of all laws.
+template <int Dim>
+double ParticleHeat<Dim>::exchange_rate() const {
+  const bool at_points = problem_.settings.method == FluxMethod::particle;
+  double rate = 0.0;
+  for (const auto& n : laws_.nodes()) {
+    double slope = 0.0, capacity = 0.0;
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      slope += n.slope[k];
+      capacity += at_points ? capacity_[n.node[k]] : grid_.capacity[n.node[k]];
+    }
+    rate = capacity > 0.0 ? std::max(rate, slope / capacity) : rate;
+  }
+  return rate;
+}
+
+/// By entry of the balance, J.
+template <int Dim>
+std::vector<double> ParticleHeat<Dim>::supplied() const {
+  std::vector<double> heat;
+  for (const Balance::Entry& entry : laws_.entries()) {
+    heat.push_back(entry.in);
+  }
+  if (source_) {
+    heat.push_back(source_->booked());
+  }
+  return heat;
+}
+
+/// What points carry at the time of the clock.
+template <int Dim>
+std::vector<double> ParticleHeat<Dim>::temperature_now() const {
+  std::vector<double> now(temperature_.values().begin(), temperature_.values().end());
+  const double ahead = sub_cycle_->ahead();
+  const PointArray& change = sub_cycle_->change();
+  parallel_for(
+      points_.size(), [&](Index row) { now[row] += ahead * change[row]; }, Work::light);
+  return now;
+}
+
+template <int Dim>
+std::vector<std::string> ParticleHeat<Dim>::modelled() const {
+  return sub_cycle_ ? std::vector<std::string>{sub_cycle_->described()}
+                    : std::vector<std::string>{};
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                           \
+  template void ParticleHeat<Dim>::follow(SubCycle::Motion);               \
+  template StepLimit ParticleHeat<Dim>::step_limit() const;                \
+  template StepLimit ParticleHeat<Dim>::own_limit() const;                 \
+  template void ParticleHeat<Dim>::take_due(const SubCycle::Due&);         \
+  template double ParticleHeat<Dim>::exchange_rate() const;                \
+  template std::vector<double> ParticleHeat<Dim>::supplied() const;        \
+  template std::vector<double> ParticleHeat<Dim>::temperature_now() const; \
+  template std::vector<std::string> ParticleHeat<Dim>::modelled() const;
+LAPILLI_INSTANTIATE(1)
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+}  // namespace lapilli
