@@ -58,7 +58,17 @@ py::array read_field(SharedReader& reader, Index frame, const std::string& name)
   }
   py::array array = layout.is_index ? py::array(py::array_t<Index>(shape))
                                     : py::array(py::array_t<double>(shape));
-  std::memcpy(array.mutable_data(), words.data(), words.size() * sizeof(words[0]));
+  if (layout.is_single) {
+    const auto* numbers = reinterpret_cast<const std::byte*>(words.data());
+    auto* to = static_cast<double*>(array.mutable_data());
+    for (py::ssize_t k = 0; k < array.size(); ++k) {
+      float number = 0.0F;
+      std::memcpy(&number, numbers + k * py::ssize_t{sizeof number}, sizeof number);
+      to[k] = number;
+    }
+  } else {
+    std::memcpy(array.mutable_data(), words.data(), words.size() * sizeof(words[0]));
+  }
   return array;
 }
 

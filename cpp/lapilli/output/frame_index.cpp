@@ -9,6 +9,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/output/file_seal.hpp"
 #include "lapilli/output/frame_data.hpp"
+#include "lapilli/output/frame_datasets.hpp"
 #include "lapilli/output/hdf5_file.hpp"
 #include "lapilli/output/output_error.hpp"
 
@@ -57,7 +58,7 @@ void write_steps(hid_t group, const FrameIndex& index) {
   for (std::size_t k = 0; k < index.columns.size(); ++k) {
     std::vector<Index> offsets = index.slots[k];
     for (Index& offset : offsets) {
-      offset *= index.points;
+      offset *= index.slot_rows();
     }
     hdf5_write<Index>(group, offsets_name(index.columns[k]), offsets);
   }
@@ -80,16 +81,17 @@ void join(hid_t group, const Column& column, const std::filesystem::path& path,
           const FrameIndex& index) {
   const std::string action = "join " + column.name;
   const Hdf5Id creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, action);
-  const Hdf5Id all = rows_of(column, index.capacity() * index.points);
+  const Hdf5Id all = rows_of(column, index.capacity() * index.slot_rows());
   const double missing = std::numeric_limits<double>::quiet_NaN();
   const Index no_index = -1;
-  const hid_t type = column.is_index ? hdf5_type<Index>() : hdf5_type<double>();
+  const hid_t type = type_of(column);
   const void* fill = column.is_index ? static_cast<const void*>(&no_index) : &missing;
-  hdf5_check(H5Pset_fill_value(creation, type, fill), action);
+  hdf5_check(H5Pset_fill_value(creation, column.is_index ? type : hdf5_type<double>(), fill),
+             action);
   hdf5_check(H5Pset_obj_track_times(creation, false), action);
   Index begin = 0;
   for (std::size_t file = 0; file < index.capacities.size(); ++file) {
-    const Index rows = index.capacities[file] * index.points;
+    const Index rows = index.capacities[file] * index.slot_rows();
     const hsize_t start[2] = {static_cast<hsize_t>(begin), 0};
     const hsize_t size[2] = {static_cast<hsize_t>(rows), static_cast<hsize_t>(column.components)};
     const Hdf5Id part = rows_of(column, rows);
@@ -152,6 +154,7 @@ void write_index_group(std::int64_t file, const FrameIndex& index) {
   hdf5_attribute(own, "name", index.name);
   hdf5_attribute<Index>(own, "capacities", index.capacities);
   hdf5_attribute<Index>(own, "merged", merged);
+  write_pieces(own, index);
 }
 
 void write_addresses(std::int64_t file, const FrameIndex& index) {
@@ -205,7 +208,7 @@ std::vector<Index> read_slots(hid_t group, const Column& column, const FrameInde
   require(slots.size() == index.times.size(), column.name, " has ", slots.size(), " of ",
           index.times.size(), " frames");
   for (Index& slot : slots) {
-    slot /= index.points;
+    slot /= index.slot_rows();
     require(slot >= 0 && slot < index.capacity(), column.name, " has no slot ", slot);
   }
   return slots;
@@ -219,6 +222,7 @@ FrameIndex read_group(hid_t file) {
   require(points.size() == 1 && points[0] > 0, "it has no points");
   index.points = points[0];
   index.columns = parse_layout(hdf5_read_text_attribute(own, "columns"));
+  read_pieces(own, index);
   index.name = hdf5_read_text_attribute(own, "name");
   index.capacities = hdf5_read_attribute<Index>(own, "capacities");
   index.merged = hdf5_read_attribute<Index>(own, "merged") == std::vector<Index>{1};

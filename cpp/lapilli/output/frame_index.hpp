@@ -10,11 +10,8 @@
 namespace lapilli {
 
 /// Which frames exist and where their numbers are: all that a reader of the frames goes by.
-/// Numbers live in data files beside the index; a slot is the room of one column in one frame, and
-/// slots count on through the data files.
-struct FrameIndex {
-  Index points = 0;
-  std::vector<Column> columns;
+/// Numbers live in data files beside the index; slots count on through the data files.
+struct FrameIndex : FrameLayout {
   std::vector<double> times;              // s, one a frame
   std::vector<std::vector<Index>> slots;  // of each column, one a frame
   std::vector<Index> capacities;          // slots of each data file

@@ -20,11 +20,15 @@ FrameData& FrameReader::data(std::size_t file) {
                                 "' lie in it. The files of a run stay together under the names "
                                 "they were written with; lapilli merge makes one file of them"));
     }
-    data_[file].emplace(FrameData::open(path, index_.columns, index_.points,
-                                        index_.merged ? 0 : index_.capacities[file],
+    data_[file].emplace(FrameData::open(path, index_, index_.merged ? 0 : index_.capacities[file],
                                         index_.addresses[file], File::Mode::read));
   }
   return *data_[file];
+}
+
+std::pair<const FrameData&, Index> FrameReader::place(Index slot) {
+  const auto [file, slot_of_file] = index_.place(slot);
+  return {data(file), slot_of_file};
 }
 
 FrameEntry FrameReader::entry(Index frame) {
@@ -65,10 +69,6 @@ std::size_t FrameReader::column_of(const std::string& name) const {
   }
   throw std::invalid_argument(
       message("no field '", name, "' in ", path_.string(), "; there is: ", names));
-}
-
-std::string field_name(const Column& column) {
-  return column.name == "Points" ? "position" : column.name.substr(column.name.find('/') + 1);
 }
 
 }  // namespace lapilli

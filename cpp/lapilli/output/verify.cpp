@@ -4,6 +4,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/output/checkpoint.hpp"
 #include "lapilli/output/file_seal.hpp"
+#include "lapilli/output/frame_datasets.hpp"
 #include "lapilli/output/frame_reader.hpp"
 #include "lapilli/output/hdf5_file.hpp"
 #include "lapilli/output/output_error.hpp"
@@ -62,6 +63,7 @@ void add_data_file(const std::filesystem::path& path, FrameIndex& index) {
   index.columns = parse_layout(hdf5_read_text_attribute(own, "columns"));
   const std::vector<Index> sizes = hdf5_read_attribute<Index>(own, "points_and_capacity");
   index.points = sizes.at(0);
+  read_pieces(own, index);
   index.capacities.push_back(sizes.at(1));
   Addresses& addresses = index.addresses.emplace_back();
   for (const Column& column : index.columns) {
