@@ -57,14 +57,14 @@ FrameColumn field_column(const Field& field, const Points& points, bool single) 
           std::move(source)};
 }
 
-/// Numbers of a row of `stored` in order of id; Number is double, float or Index.
+/// Number is double, float or Index.
 template <class Number, class Values>
-void pack_rows(const Values& values, const std::vector<int>& source, std::span<const Index> id,
+void pack_rows(const Values& values, const std::vector<int>& source, std::span<const Index> rows,
                Words& words) {
-  const std::size_t stored = source.size(), given = values.size() / id.size();
+  const std::size_t stored = source.size(), given = values.size() / rows.size();
   auto* const packed = reinterpret_cast<std::byte*>(words.data());
-  parallel_for(static_cast<Index>(id.size()), [&](Index row) {
-    std::byte* to = packed + static_cast<std::size_t>(id[row]) * stored * sizeof(Number);
+  parallel_for(static_cast<Index>(rows.size()), [&](Index row) {
+    std::byte* to = packed + static_cast<std::size_t>(rows[row]) * stored * sizeof(Number);
     for (std::size_t k = 0; k < stored; ++k, to += sizeof(Number)) {
       if (const int from = source[k]; from >= 0) {
         const auto number = static_cast<Number>(values[row * given + from]);
@@ -132,16 +132,16 @@ std::vector<FrameColumn> frame_columns(const Points& points, std::span<const Fie
   return columns;
 }
 
-Words pack(const FrameColumn& column, std::span<const Index> id) {
-  const std::size_t numbers = id.size() * column.source.size();
+Words pack(const FrameColumn& column, std::span<const Index> rows) {
+  const std::size_t numbers = rows.size() * column.source.size();
   Words words(column.column.is_single ? (numbers + 1) / 2 : numbers, 0);
   std::visit(
       [&](auto values) {
         using Number = std::remove_cv_t<typename decltype(values)::value_type>;
         if (column.column.is_single) {
-          pack_rows<float>(values, column.source, id, words);
+          pack_rows<float>(values, column.source, rows, words);
         } else {
-          pack_rows<Number>(values, column.source, id, words);
+          pack_rows<Number>(values, column.source, rows, words);
         }
       },
       column.values);

@@ -41,6 +41,7 @@ struct FrameOptions {
   std::optional<std::vector<std::string>> fields;  // names; not set: every field
   bool single = false;                             // fields as numbers of four bytes
   int compression = 0;                             // 0: none, 1: fast .. 9: small
+  bool points_leave = false;                       // frames may have fewer points than the first
 };
 
 /// Position, id, body and volume: the columns that come first in every frame, always in full
@@ -64,8 +65,9 @@ void require_fields(std::span<const Field> fields, const FrameOptions& options);
 /// Name of a column for users: "Points" is the position.
 std::string field_name(const Column& column);
 
-/// Rows in order of id, so that a row is the same point in every frame. Throws
-/// std::invalid_argument for a value that four bytes cannot hold.
-Words pack(const FrameColumn& column, std::span<const Index> id);
+/// Numbers in the rows that they go to: those of `Points::places_by_id`, so that a row is the same
+/// point in every frame as long as none has left. Throws std::invalid_argument for a value that
+/// four bytes cannot hold.
+Words pack(const FrameColumn& column, std::span<const Index> rows);
 
 }  // namespace lapilli

@@ -19,7 +19,7 @@ void describe_contents(hid_t file, const FrameLayout& layout, Index capacity) {
   const Hdf5Id own = hdf5_group(file, "lapilli");
   hdf5_attribute(own, "columns", layout_text(layout.columns));
   hdf5_attribute<Index>(own, "points_and_capacity", sizes);
-  write_pieces(own, layout);
+  write_form(own, layout);
 }
 
 Index address_of(hid_t dataset) { return static_cast<Index>(H5Dget_offset(dataset)); }
@@ -30,7 +30,7 @@ FrameData::FrameData(File file, Addresses addresses, const FrameLayout& layout)
     : file_(std::move(file)),
       addresses_(std::move(addresses)),
       layout_(layout),
-      entry_words_(FrameEntry::words_of(layout.columns.size())) {}
+      entry_words_(FrameEntry::words_of(layout.columns.size(), layout.points_leave)) {}
 
 FrameData FrameData::create(const std::filesystem::path& path, const FrameLayout& layout,
                             Index capacity, bool with_topology) {
@@ -46,7 +46,7 @@ FrameData FrameData::create(const std::filesystem::path& path, const FrameLayout
         }
         describe_contents(file, layout, capacity);
         const Hdf5Id own(H5Gopen2(file, "lapilli", H5P_DEFAULT), H5Gclose, "lay out the journal");
-        addresses.push_back(lay_out_journal(own, layout.columns.size(), capacity));
+        addresses.push_back(lay_out_journal(own, layout, capacity));
       },
       layout.is_compressed());
   AtomicFile file(path);
@@ -130,8 +130,9 @@ Index lay_out_column(std::int64_t group, const FrameLayout& layout, std::size_t 
   return address_of(dataset);
 }
 
-Index lay_out_journal(std::int64_t group, std::size_t columns, Index frames) {
-  const auto words = static_cast<int>(FrameEntry::words_of(columns));
+Index lay_out_journal(std::int64_t group, const FrameLayout& layout, Index frames) {
+  const auto words =
+      static_cast<int>(FrameEntry::words_of(layout.columns.size(), layout.points_leave));
   return address_of(hdf5_dataset(group, "journal", hdf5_type<Index>(), frames, words));
 }
 

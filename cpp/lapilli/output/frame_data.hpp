@@ -71,6 +71,6 @@ void write_topology(std::int64_t group, Index points);
 Index lay_out_column(std::int64_t group, const FrameLayout& layout, std::size_t column,
                      Index slots);
 /// The same for the journal of so many frames.
-Index lay_out_journal(std::int64_t group, std::size_t columns, Index frames);
+Index lay_out_journal(std::int64_t group, const FrameLayout& layout, Index frames);
 
 }  // namespace lapilli

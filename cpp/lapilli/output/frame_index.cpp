@@ -27,11 +27,12 @@ std::string offsets_name(const Column& column) {
              : "Steps/PointDataOffsets/" + column.name.substr(std::string(point_data).size());
 }
 
-void write_cells(hid_t group, Index points) {
+void write_cells(hid_t group, std::span<const Index> points) {
   for (const std::string name : cell_kinds) {
     const Hdf5Id cells = hdf5_group(group, name);
     const bool vertices = name == "Vertices";
-    const std::array<Index, 1> count = {vertices ? points : 0};
+    const std::vector<Index> none(points.size(), 0);
+    const std::span<const Index> count = vertices ? points : none;
     hdf5_write<Index>(cells, "NumberOfCells", count);
     hdf5_write<Index>(cells, "NumberOfConnectivityIds", count);
     if (!vertices) {
@@ -42,7 +43,12 @@ void write_cells(hid_t group, Index points) {
   }
 }
 
-/// Topology never changes, so every step refers to the one part at offset zero.
+/// The points of each part: one part for all frames, or one for each where points may leave.
+std::vector<Index> points_of_parts(const FrameIndex& index) {
+  return index.points_leave ? index.counts : std::vector<Index>{index.points};
+}
+
+/// Topology never changes, or loses its end, so that all cells begin at offset zero.
 void write_steps(hid_t group, const FrameIndex& index) {
   const Hdf5Id steps = hdf5_group(group, "Steps");
   const std::array<Index, 1> count = {index.frames()};
@@ -50,7 +56,11 @@ void write_steps(hid_t group, const FrameIndex& index) {
   const std::vector<Index> zeros(4 * frames, 0), ones(frames, 1);
   hdf5_attribute<Index>(steps, "NSteps", count, true);
   hdf5_write<double>(steps, "Values", index.times);
-  hdf5_write<Index>(steps, "PartOffsets", std::span(zeros).first(frames));
+  std::vector<Index> parts(frames, 0);
+  if (index.points_leave) {
+    std::iota(parts.begin(), parts.end(), Index{0});
+  }
+  hdf5_write<Index>(steps, "PartOffsets", parts);
   hdf5_write<Index>(steps, "NumberOfParts", ones);
   hdf5_write<Index>(steps, "CellOffsets", zeros, 4);
   hdf5_write<Index>(steps, "ConnectivityIdOffsets", zeros, 4);
@@ -116,6 +126,9 @@ Index FrameIndex::capacity() const {
 
 void FrameIndex::cut(Index frames) {
   times.resize(static_cast<std::size_t>(frames));
+  if (points_leave) {
+    counts.resize(static_cast<std::size_t>(frames));
+  }
   for (std::vector<Index>& of_column : slots) {
     of_column.resize(static_cast<std::size_t>(frames));
   }
@@ -141,11 +154,11 @@ std::filesystem::path data_path(const std::filesystem::path& index_path, std::si
 void write_index_group(std::int64_t file, const FrameIndex& index) {
   const Hdf5Id group = hdf5_group(file, "VTKHDF");
   const std::array<Index, 2> version = {2, 0};
-  const std::array<Index, 1> points = {index.points};
+  const std::vector<Index> points = points_of_parts(index);
   hdf5_attribute<Index>(group, "Version", version);
   hdf5_attribute(group, "Type", "PolyData");
   hdf5_write<Index>(group, "NumberOfPoints", points);
-  write_cells(group, index.points);
+  write_cells(group, points);
   write_steps(group, index);
   const Hdf5Id of_points = hdf5_group(group, "PointData");
   const Hdf5Id own = hdf5_group(file, "lapilli");
@@ -154,7 +167,7 @@ void write_index_group(std::int64_t file, const FrameIndex& index) {
   hdf5_attribute(own, "name", index.name);
   hdf5_attribute<Index>(own, "capacities", index.capacities);
   hdf5_attribute<Index>(own, "merged", merged);
-  write_pieces(own, index);
+  write_form(own, index);
 }
 
 void write_addresses(std::int64_t file, const FrameIndex& index) {
@@ -219,14 +232,20 @@ FrameIndex read_group(hid_t file) {
   const Hdf5Id group(H5Gopen2(file, "VTKHDF", H5P_DEFAULT), H5Gclose, "read the index");
   FrameIndex index;
   const std::vector<Index> points = hdf5_read<Index>(group, "NumberOfPoints");
-  require(points.size() == 1 && points[0] > 0, "it has no points");
+  require(!points.empty() && *std::ranges::min_element(points) > 0, "it has no points");
   index.points = points[0];
   index.columns = parse_layout(hdf5_read_text_attribute(own, "columns"));
-  read_pieces(own, index);
+  read_form(own, index);
   index.name = hdf5_read_text_attribute(own, "name");
   index.capacities = hdf5_read_attribute<Index>(own, "capacities");
   index.merged = hdf5_read_attribute<Index>(own, "merged") == std::vector<Index>{1};
   index.times = hdf5_read<double>(group, "Steps/Values");
+  if (index.points_leave) {
+    index.counts = points;
+    require(
+        points.size() == index.times.size() && *std::ranges::max_element(points) <= index.points,
+        "its numbers of points are damaged");
+  }
   index.addresses = read_addresses(own, index);
   for (const Column& column : index.columns) {
     index.slots.push_back(read_slots(group, column, index));

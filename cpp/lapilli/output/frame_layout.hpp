@@ -12,8 +12,9 @@ namespace lapilli {
 /// `piece_rows` rows (the chunks of HDF5), each of which is shuffled and deflated for itself and
 /// written at the beginning of a room of its own; what is not filled of a room stays a hole.
 struct FrameLayout {
-  Index points = 0;
+  Index points = 0;  // of the first frame
   std::vector<Column> columns;
+  bool points_leave = false;      // later frames may have fewer
   int compression = 0;            // 0, or the level of deflate
   Index piece_rows = 0;           // of every slot; 0 without compression
   std::vector<Index> piece_room;  // bytes, of each column; empty without compression
@@ -37,8 +38,8 @@ struct FrameLayout {
 std::string layout_text(const std::vector<Column>& columns);
 std::vector<Column> parse_layout(const std::string& layout);
 
-/// Fields and form of frames in words: "fields temperature, velocity; double precision; compression
-/// 0".
+/// Fields and form of frames in words: "fields temperature, velocity; precision double;
+/// compression 0".
 std::string described(const FrameLayout& layout);
 
 }  // namespace lapilli

@@ -35,7 +35,8 @@ FrameEntry FrameReader::entry(Index frame) {
   const auto [file, row] = index_.place(frame);
   const std::optional<FrameEntry> entry = data(file).read_entry(row);
   const auto number = static_cast<std::size_t>(frame);
-  bool fits = entry && entry->frame == frame && entry->time == index_.times[number];
+  bool fits = entry && entry->frame == frame && entry->time == index_.times[number] &&
+              entry->points.value_or(index_.points) == index_.points_of(frame);
   for (std::size_t column = 0; fits && column < index_.columns.size(); ++column) {
     fits = entry->slots[column] == index_.slots[column][number];
   }

@@ -51,7 +51,7 @@ void lay_out(hid_t file, FrameIndex& index) {
     index.addresses[0].push_back(lay_out_column(group, index, column, index.next_slot(column)));
   }
   const Hdf5Id own(H5Gopen2(file, "lapilli", H5P_DEFAULT), H5Gclose, "write the index");
-  index.addresses[0].push_back(lay_out_journal(own, index.columns.size(), index.frames()));
+  index.addresses[0].push_back(lay_out_journal(own, index, index.frames()));
   write_addresses(file, index);
 }
 

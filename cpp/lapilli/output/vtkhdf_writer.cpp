@@ -92,6 +92,9 @@ void VtkhdfWriter::write(double time, const Points& points, std::span<const Fiel
   FrameIndex next = index_;
   FrameEntry entry = store_columns(next.frames(), time, points, frame, resting);
   next.times.push_back(time);
+  if (next.points_leave) {
+    next.counts.push_back(points.size());
+  }
   for (std::size_t column = 0; column < frame.size(); ++column) {
     next.slots[column].push_back(entry.slots[column]);
   }
@@ -111,8 +114,13 @@ FrameEntry VtkhdfWriter::store_columns(Index number, double time, const Points& 
                                        const std::vector<FrameColumn>& frame,
                                        std::vector<Words>& resting) {
   FrameEntry entry{number, time, {}, {}};
+  if (index_.points_leave) {
+    entry.points = points.size();
+  }
+  const std::vector<Index> rows = points.places_by_id();
   for (std::size_t column = 0; column < frame.size(); ++column) {
-    Words words = pack(frame[column], points.id());
+    Words words = pack(frame[column], rows);
+    words.resize(static_cast<std::size_t>(index_.slot_words(column)), 0);
     entry.checksums.push_back(checksum_of(words));
     entry.slots.push_back(store(column, words, entry.checksums.back()));
     if (index_.columns[column].may_rest) {
@@ -127,6 +135,7 @@ FrameEntry VtkhdfWriter::store_columns(Index number, double time, const Points& 
 
 void VtkhdfWriter::begin(const std::vector<FrameColumn>& frame, Index points) {
   require(points > 0, "a simulation without points has no frames");
+  index_.points_leave = options_.points_leave;
   index_.points = points;
   index_.name = path_.filename().string();
   for (const FrameColumn& entry : frame) {
@@ -138,8 +147,9 @@ void VtkhdfWriter::begin(const std::vector<FrameColumn>& frame, Index points) {
 }
 
 void VtkhdfWriter::check_same(const std::vector<FrameColumn>& frame, Index points) const {
-  require(points == index_.points, "the frames in '", path_.string(), "' have ", index_.points,
-          " points, this one has ", points);
+  require(points == index_.points || (index_.points_leave && points < index_.points),
+          "the frames in '", path_.string(), "' have ", index_.points, " points, this one has ",
+          points);
   require(frame.size() == index_.columns.size(), "the frames in '", path_.string(), "' have ",
           index_.columns.size(), " arrays, this one has ", frame.size());
   for (std::size_t k = 0; k < frame.size(); ++k) {

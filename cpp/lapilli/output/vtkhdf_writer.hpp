@@ -13,9 +13,10 @@ namespace lapilli {
 /// Frames for ParaView: a temporal VTKHDF PolyData in two files that belong together, a small index
 /// `run.vtkhdf` and the numbers `run.vtkhdf.data` (links between them are relative). A frame is
 /// acknowledged when write() returns: it is on the disk, and neither a killed process nor a failing
-/// later write takes it away. Rows are points in order of id. Positions, ids, bodies and volumes
-/// are stored again only when they changed. `merge` makes one self-contained file. Not handled: a
-/// number of points or a list of fields that changes between frames.
+/// later write takes it away. Rows are points in order of id; where points may leave, a frame has
+/// as many rows as points are left. Positions, ids, bodies and volumes are stored again only when
+/// they changed. `merge` makes one self-contained file. Not handled: a number of points that grows,
+/// or a list of fields that changes between frames.
 class VtkhdfWriter {
  public:
   /// Start a new series, removing a former one of that name. `planned_frames` is a hint for the

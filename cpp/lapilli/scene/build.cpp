@@ -252,6 +252,13 @@ void check_probes(const Scene& scene, Simulation& simulation) {
   mistakes.throw_if_any();
 }
 
+void check_fields(const Scene& scene, Simulation& simulation) {
+  if (scene.output.fields) {
+    in_file(scene, "output.fields",
+            [&] { require_fields(simulation.fields(), frame_options(scene)); });
+  }
+}
+
 template <int Dim>
 std::unique_ptr<Simulation> build_in(const Scene& scene) {
   const Grid<Dim> grid = grid_of<Dim>(scene);
@@ -299,6 +306,7 @@ std::unique_ptr<Simulation> build_in(const Scene& scene) {
     return std::make_unique<Simulation>(std::move(points), std::move(physics), clock_of(scene));
   });
   check_probes(scene, *simulation);
+  check_fields(scene, *simulation);
   return simulation;
 }
 

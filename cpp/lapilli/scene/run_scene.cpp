@@ -36,7 +36,8 @@ Scene with_output(Scene scene, const std::string& path, double every) {
 
 FrameOptions frame_options(const Scene& scene) {
   return {scene.output.fields, scene.output.precision == Precision::single,
-          static_cast<int>(scene.output.compression)};
+          static_cast<int>(scene.output.compression),
+          scene.dynamics && scene.dynamics->outside == Outside::remove};
 }
 
 std::vector<Probe> probes_of(const Scene& scene) {

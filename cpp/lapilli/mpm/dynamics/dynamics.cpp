@@ -81,6 +81,9 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   sums.kinetic += velocities.kinetic;
   sums.speed = std::max(sums.speed, velocities.speed);
   stop_if_broken(sums);
+  if (sums.outside) {
+    find_outside();
+  }
 
   flows_.plastic += sums.plastic;
   flows_.expansion += sums.expansion;
@@ -165,7 +168,7 @@ void Dynamics<Dim>::keep_order(double step) {
     data_.order.sort(data_.points);
     data_.fields.place(data_.points);
     drift_ = 0.0;
-  } else if (ordering_ != data_.points.ordering()) {
+  } else if (ordering_ != data_.points.ordering() || !data_.order.covers(data_.points)) {
     data_.order.update(data_.points);
   }
   ordering_ = data_.points.ordering();
@@ -173,7 +176,7 @@ void Dynamics<Dim>::keep_order(double step) {
 
 template <int Dim>
 void Dynamics<Dim>::stop_if_broken(const PointSums& sums) const {
-  if (sums.outside) {
+  if (sums.outside && data_.settings.outside == Outside::stop) {
     require_inside(data_.grid, data_.points);
   }
   if (sums.least_volume > 0.0) {

@@ -33,6 +33,7 @@ class ParticleHeat final : public Physics, public HasSurface {
   void refresh_output() override;
   std::vector<Field> fields() override;
   std::vector<Balance> balances() const override;
+  void release(std::span<const Index> rows) override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
   SurfaceView surface() const override { return laws_.surface(); }
   void save(Archive& archive) const override;
@@ -95,6 +96,7 @@ class ParticleHeat final : public Physics, public HasSurface {
   Index limited_ordering_ = -1;  // ordering that limit_ was bounded for
   double initial_ = 0.0;         // J
   double plastic_ = 0.0;         // J, from plastic work
+  double removed_ = 0.0;         // J, of points that were removed
   double area_ = 0.0, negative_share_ = 0.0;
 
   std::unique_ptr<PointArray> output_temperature_, output_flux_;

@@ -81,8 +81,18 @@ std::vector<Balance> ParticleHeat<Dim>::balances() const {
   if (plastic_ != 0.0) {
     balance.entries.push_back({"plastic work", plastic_});
   }
+  if (removed_ != 0.0) {
+    balance.entries.push_back({"removed points", -removed_});
+  }
   add_stored_heat(capacity_.values(), temperature_.values(), balance);
   return {balance};
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::release(std::span<const Index> rows) {
+  for (const Index row : rows) {
+    removed_ += capacity_[row] * temperature_[row];
+  }
 }
 
 template <int Dim>
@@ -105,8 +115,14 @@ void ParticleHeat<Dim>::save(Archive& archive) const {
   archive.write("heat/initial", initial_);
   archive.write("heat/growth", growth_);
   archive.write("heat/plastic", plastic_);
+  if (removed_ != 0.0) {
+    archive.write("heat/removed", removed_);
+  }
   archive.write("heat/source", source_ ? source_->booked() : 0.0);
   archive.write("heat/limit", std::array{limit_.hard, limit_.automatic});
+  if (limited_ordering_ != points_.ordering()) {
+    archive.write("heat/limit_is_old", Index{1});
+  }
   archive.write("heat/shown", output_is_current_ ? Index{1} : Index{0});
   if (output_is_current_) {
     archive.write("heat/output_temperature", std::as_const(*output_temperature_).values());
@@ -128,6 +144,7 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
   }
   initial_ = archive.read_number("heat/initial");
   plastic_ = archive.read_number("heat/plastic");
+  removed_ = archive.contains("heat/removed") ? archive.read_number("heat/removed") : 0.0;
   growth_ = archive.read_number("heat/growth");
   range_ = plastic_ != 0.0 ? TemperatureRange{} : range_;
   if (source_) {
@@ -137,7 +154,7 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
   archive.read("heat/limit", std::span<double>(limits));
   limit_.hard = limits[0];
   limit_.automatic = limits[1];
-  limited_ordering_ = points_.ordering();
+  limited_ordering_ = archive.contains("heat/limit_is_old") ? -1 : points_.ordering();
   output_is_current_ = archive.read_index("heat/shown") != 0;
   if (output_is_current_) {
     show(grid_.temperature);
@@ -153,6 +170,7 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
   template void ParticleHeat<Dim>::refresh_output();                                           \
   template std::vector<Field> ParticleHeat<Dim>::fields();                                     \
   template std::vector<Balance> ParticleHeat<Dim>::balances() const;                           \
+  template void ParticleHeat<Dim>::release(std::span<const Index>);                            \
   template std::vector<std::pair<std::string, double>> ParticleHeat<Dim>::diagnostics() const; \
   template void ParticleHeat<Dim>::save(Archive& archive) const;                               \
   template void ParticleHeat<Dim>::load(const Archive& archive);
