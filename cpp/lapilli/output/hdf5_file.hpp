@@ -78,7 +78,7 @@ void hdf5_write(hid_t parent, const std::string& name, std::span<const T> values
                 int components = 1);
 template <class T>
 std::vector<T> hdf5_read(hid_t parent, const std::string& name);
-/// The byte at which a dataset begins that is one piece in its file.
+/// The byte at which a dataset begins that is one piece in its file, or the first of its chunks.
 Index hdf5_address(hid_t parent, const std::string& name);
 bool hdf5_exists(hid_t parent, const std::string& name);
 

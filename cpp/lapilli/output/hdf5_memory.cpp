@@ -188,8 +188,11 @@ Hdf5Image hdf5_lay_out(const std::function<void(hid_t)>& fill, bool chunks) {
   if (chunks) {
     hdf5_check(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110),
                "lay out an HDF5 file in memory");
+    hdf5_check(H5Pset_small_data_block_size(access, 0), "lay out an HDF5 file in memory");
   }
-  Hdf5Id file(H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose,
+  const Hdf5Id creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "make an HDF5 property list");
+  hdf5_check(H5Pset_obj_track_times(creation, false), "lay out an HDF5 file in memory");
+  Hdf5Id file(H5Fcreate("in memory", H5F_ACC_TRUNC, creation, access), H5Fclose,
               "lay out an HDF5 file in memory");
   fill(file);
   file.close();

@@ -215,9 +215,13 @@ void couple(const Scene& scene, Points& points, ParticleHeat<Dim>& heat, Dynamic
             PhysicsList& physics) {
   const auto shares = coupling_of(scene, &PlasticHeating::share);
   if (!shares.empty()) {
+    heat.expect_plastic();
     physics.push_back(std::make_unique<PlasticHeat>(
         points, dynamics.plastic_work(), heat.carried_temperature(), heat.capacity(), shares,
         [&heat](double joule) { heat.book_plastic(joule); }));
+  }
+  if (scene.dynamics->outside == Outside::remove) {
+    heat.expect_removed();
   }
   const auto coefficients = coupling_of(scene, &ThermalExpansion::coefficient);
   if (!coefficients.empty()) {

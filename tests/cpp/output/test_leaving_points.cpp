@@ -33,9 +33,7 @@ void write_frames(VtkhdfWriter& writer, MadeFrames& made, Index from, Index to) 
   }
 }
 
-FrameOptions options_of(int compression) {
-  return {.compression = compression, .points_leave = true};
-}
+FrameOptions options_of(int compression) { return {{}, false, compression, true}; }
 
 void check_frames(const std::filesystem::path& path) {
   FrameReader reader(path);
@@ -57,7 +55,7 @@ void check_frames(const std::filesystem::path& path) {
       double temperature = 0.0;
       std::memcpy(&temperature, &temperatures[row], sizeof temperature);
       REQUIRE(static_cast<Index>(ids[row]) == row + 2 * frame);
-      REQUIRE(temperature == static_cast<double>(row + 2 * frame) + 1000.0 * frame);
+      REQUIRE(temperature == static_cast<double>(row + 2 * frame + 1000 * frame));
     }
   }
 }
@@ -69,7 +67,7 @@ TEST_CASE("frames hold the points that are left, in order of id") {
   const auto path = folder / "run.vtkhdf", merged = folder / "merged.vtkhdf";
   const int compression = GENERATE(0, 6);
   MadeFrames made(count);
-  VtkhdfWriter writer(path, GENERATE(frames, Index{2}), options_of(compression));
+  VtkhdfWriter writer(path, GENERATE(Index{5}, Index{2}), options_of(compression));
   write_frames(writer, made, 0, frames);
   check_frames(path);
   merge(path, merged);
@@ -97,7 +95,8 @@ TEST_CASE("a series whose points leave goes on with the same bytes") {
   VtkhdfWriter second = VtkhdfWriter::resume(path, keep, frames, options_of(compression));
   write_frames(second, resumed, keep, frames);
   check_frames(path);
-  REQUIRE(bytes_of(data_path(path, 0)) == bytes_of(data_path(whole, 0)));
+  const bool same = bytes_of(data_path(path, 0)) == bytes_of(data_path(whole, 0));
+  REQUIRE(same);
 }
 
 TEST_CASE("points do not come back, and leave only where that was said") {

@@ -9,8 +9,12 @@ import numpy as np
 import pytest
 
 import lapilli as lp
+from lapilli import _core
 
 CLOSED = 1e-9  # of balances: sums of some thousand terms round by 1e-12
+# Of the energy of sand, whose strain is half a step ahead of the force that answers it: up to 1e-3
+# in these scenes where nothing leaves. Elastic flight is held to more below.
+NEARLY_CLOSED = 3e-3
 
 
 def spill(seed: int = 0, **dynamics: object) -> lp.Scene:
@@ -45,9 +49,7 @@ def spill(seed: int = 0, **dynamics: object) -> lp.Scene:
         dynamics=lp.Dynamics(**settings),
         time=lp.Time(end=0.3),
         output=lp.Output(every=0.03),
-        probes=[
-            lp.Probe(name="front", position=(1.4, 0.2), field="velocity", material_point=True)
-        ],
+        probes=[lp.Probe(name="front", position=(1.4, 0.2), field="velocity", material_point=True)],
     )
 
 
@@ -66,8 +68,8 @@ def test_balances_close_over_what_leaves(tmp_path: Path, seed: int, heat: bool) 
     assert gone == count - len(result.simulation)
     left = float(result["density"] @ result["volume"])
     assert last["dynamics/removed_mass"] + left == pytest.approx(mass, rel=CLOSED)
-    for balance in result.balance.values():
-        assert abs(balance.residual) < CLOSED, balance
+    for name, balance in result.balance.items():
+        assert abs(balance.residual) < (NEARLY_CLOSED if name == "energy" else CLOSED), name
     energy = dict(result.balance["energy"].entries)["removed points"]
     assert energy < 0 < -dict(result.balance["momentum x"].entries)["removed points"]
     if heat:  # every point keeps nearly what it had
@@ -78,15 +80,39 @@ def test_balances_close_over_what_leaves(tmp_path: Path, seed: int, heat: bool) 
     assert any("left the grid" in one for one in result.record["physics"][-1]["warnings"])
 
 
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("transfer", ["blended_apic", "apic", "flip", "tpic"])
+def test_the_energy_of_a_body_in_flight_leaves_with_it(transfer: str, dimension: int) -> None:
+    """Kinetic and potential energy alone, but for strains of a spin that is slow."""
+    flat = slice(dimension)
+    scene = lp.Scene(
+        grid=lp.Grid(lower=(0, 0, 0)[flat], upper=(2, 1, 1)[flat], cell=0.125),
+        bodies=[
+            lp.Body(
+                shape=lp.Box(lower=(1.2, 0.3, 0.3)[flat], upper=(1.7, 0.7, 0.7)[flat]),
+                material=lp.Elastic(density=1000, youngs_modulus=1e5, poissons_ratio=0.3),
+                velocity=(2, 0.5, 0)[flat],
+                spin=(0.2,) if dimension == 2 else (0, 0, 0.2),
+            )
+        ],
+        dynamics=lp.Dynamics(gravity=(3, 0, 0)[flat], outside="remove", transfer=transfer),
+        time=lp.Time(end=0.2),
+    )
+    result = lp.run(scene, progress=False)
+    energy = result.balance["energy"]
+    gone = dict(energy.entries)["removed points"]
+    assert 0.3 * abs(energy.initial) < abs(gone)
+    # Strains of 1e-5, half a step ahead, in what is left: measured up to 1e-8 of what has gone.
+    assert abs(energy.stored - energy.initial - energy.supplied) < 1e-7 * abs(gone)
+
+
 def test_without_removal_the_run_stops() -> None:
-    with pytest.raises(RuntimeError, match="left the grid"):
+    with pytest.raises(lp.RunError, match="left the grid"):
         lp.run(spill(outside="stop"), progress=False)
 
 
 def test_where_nothing_leaves_removal_changes_nothing(tmp_path: Path) -> None:
-    walls = [
-        lp.RollerBoundary(face=face) for face in ("x_lower", "x_upper", "y_lower", "y_upper")
-    ]
+    walls = [lp.RollerBoundary(face=face) for face in ("x_lower", "x_upper", "y_lower", "y_upper")]
     runs = [
         lp.run(spill(outside=outside, grid_boundaries=walls), progress=False)
         for outside in ("stop", "remove")
@@ -98,7 +124,7 @@ def test_where_nothing_leaves_removal_changes_nothing(tmp_path: Path) -> None:
 def test_a_run_whose_last_point_leaves_says_so() -> None:
     scene = spill(gravity=(40, 0))
     scene.time.end = 3
-    with pytest.raises(RuntimeError, match="every point has left the grid"):
+    with pytest.raises(lp.RunError, match="every point has left the grid"):
         lp.run(scene, progress=False)
 
 
@@ -139,7 +165,7 @@ def test_frames_hold_who_is_left(tmp_path: Path, compression: int, merged: bool)
     record = path.with_suffix(".json")
     if merged:
         path = tmp_path / "one.vtkhdf"
-        lp.merge(result.output, path)
+        _core.merge(result.output, path)
         path.with_suffix(".json").write_text(record.read_text())
     frames = lp.Frames(path)
     counts = frames.point_counts
@@ -169,10 +195,12 @@ def test_tables_and_pictures_of_points_that_leave(tmp_path: Path) -> None:
     first, last = frames[0]["id"], frames[-1]["id"]
     gone, stays = int(np.setdiff1d(first, last)[0]), int(last[0])
     series = frames.time_series("velocity.x", point=gone)["velocity.x"]
-    assert np.isfinite(np.asarray(series)[0]) and np.isnan(np.asarray(series)[-1])
+    assert np.isfinite(np.asarray(series)[0])
+    assert np.isnan(np.asarray(series)[-1])
     assert np.all(np.isfinite(frames.time_series("stress", point=stays)["stress.xy"]))
     columns = result.summary.history
-    assert np.isfinite(columns["front_x"][0]) and np.isnan(columns["front_x"][-1])
+    assert np.isfinite(columns["front_x"][0])
+    assert np.isnan(columns["front_x"][-1])
     xarray = pytest.importorskip("xarray")
     table = result.to_xarray()
     assert isinstance(table, xarray.Dataset)

@@ -59,6 +59,7 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   if (!data_.settings.gravity_factor.is_constant()) {
     turn_gravity(step);
   }
+  book_waiting(step.size);
   project_to_grid(data_, step.size);
   if (loads_) {
     loads_->add_forces(data_, step.time);

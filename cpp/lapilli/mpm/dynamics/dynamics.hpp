@@ -79,6 +79,7 @@ class Dynamics final : public Physics, public HasSurface, public Warnings, publi
   void carry_points();
   void stop_if_broken(const PointSums& sums) const;
   void find_outside();
+  void book_waiting(double step);
   void save_removed(Archive& archive) const;
   void load_removed(const Archive& archive);
   Balance energy_balance() const;

@@ -1,6 +1,8 @@
 // Points that leave the grid and are removed.
+#include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/dynamics.hpp"
+#include "lapilli/mpm/dynamics/mover.hpp"
 
 namespace lapilli {
 
@@ -18,6 +20,27 @@ void Dynamics<Dim>::find_outside() {
     }
   }
   data_.points.leave(std::move(rows));
+}
+
+/// A point that would leave in the first half of a step waits at the face for the second: gravity
+/// moves it on with the nodes meanwhile. That belongs to what it takes along.
+template <int Dim>
+void Dynamics<Dim>::book_waiting(double step) {
+  const Vec<Dim> gravity = data_.gravity.template head<Dim>();
+  if (data_.settings.outside == Outside::stop || !data_.carried || gravity.isZero(0.0)) {
+    return;
+  }
+  const Mover<Dim> move(data_, 0.5 * step);
+  removed_.energy -= parallel_sum(data_.points.size(), 0.0, [&](Index row) {
+    const double* carried = data_.carried->data() + row * Dim;
+    const Vec<Dim> start = data_.points.template position<Dim>(row);
+    Vec<Dim> held = start, free = start;
+    move.drift(held.data(), carried);
+    if (move(free.data(), carried)) {
+      return 0.0;
+    }
+    return data_.mass[row] * gravity.dot(free - held);
+  });
 }
 
 template <int Dim>
@@ -67,6 +90,8 @@ std::vector<std::string> Dynamics<Dim>::warnings() const {
 
 template void Dynamics<2>::find_outside();
 template void Dynamics<3>::find_outside();
+template void Dynamics<2>::book_waiting(double);
+template void Dynamics<3>::book_waiting(double);
 template void Dynamics<2>::release(std::span<const Index>);
 template void Dynamics<3>::release(std::span<const Index>);
 template void Dynamics<2>::save_removed(Archive&) const;

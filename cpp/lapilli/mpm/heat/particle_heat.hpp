@@ -42,6 +42,9 @@ class ParticleHeat final : public Physics, public HasSurface {
   /// What points carry, K: for laws of other physics, and for them to add heat to.
   PointArray& carried_temperature() { return temperature_; }
   const PointArray& capacity() const { return capacity_; }  // rho0 c V0, J/K
+  /// Have an entry of the balance, from the start, for heat of plastic work, for points that leave.
+  void expect_plastic() { books_plastic_ = true; }
+  void expect_removed() { books_removed_ = true; }
   /// Book heat that another physics added to the carried temperatures, J.
   void book_plastic(double heat) {
     plastic_ += heat;
@@ -97,6 +100,7 @@ class ParticleHeat final : public Physics, public HasSurface {
   double initial_ = 0.0;         // J
   double plastic_ = 0.0;         // J, from plastic work
   double removed_ = 0.0;         // J, of points that were removed
+  bool books_plastic_ = false, books_removed_ = false;
   double area_ = 0.0, negative_share_ = 0.0;
 
   std::unique_ptr<PointArray> output_temperature_, output_flux_;

@@ -78,10 +78,10 @@ std::vector<Balance> ParticleHeat<Dim>::balances() const {
   if (source_) {
     balance.entries.push_back({"source", source_->booked()});
   }
-  if (plastic_ != 0.0) {
+  if (books_plastic_) {
     balance.entries.push_back({"plastic work", plastic_});
   }
-  if (removed_ != 0.0) {
+  if (books_removed_) {
     balance.entries.push_back({"removed points", -removed_});
   }
   add_stored_heat(capacity_.values(), temperature_.values(), balance);
@@ -115,7 +115,7 @@ void ParticleHeat<Dim>::save(Archive& archive) const {
   archive.write("heat/initial", initial_);
   archive.write("heat/growth", growth_);
   archive.write("heat/plastic", plastic_);
-  if (removed_ != 0.0) {
+  if (books_removed_) {
     archive.write("heat/removed", removed_);
   }
   archive.write("heat/source", source_ ? source_->booked() : 0.0);
@@ -144,7 +144,9 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
   }
   initial_ = archive.read_number("heat/initial");
   plastic_ = archive.read_number("heat/plastic");
-  removed_ = archive.contains("heat/removed") ? archive.read_number("heat/removed") : 0.0;
+  if (books_removed_) {
+    removed_ = archive.read_number("heat/removed");
+  }
   growth_ = archive.read_number("heat/growth");
   range_ = plastic_ != 0.0 ? TemperatureRange{} : range_;
   if (source_) {
