@@ -15,7 +15,7 @@ namespace lapilli {
 class PointArray;
 
 /// The points of a simulation: position, volume, id, body. Every array that belongs to points is
-/// attached here and follows them when they are re-ordered. One physics at most moves them.
+/// attached here and follows when they are re-ordered or leave. One physics at most moves them.
 class Points {
  public:
   explicit Points(int dimension);
