@@ -7,7 +7,6 @@ foreach(archive hdf5 sz aec png)
     return()
   endif()
 endforeach()
-find_package(ZLIB REQUIRED)
 
 add_library(lapilli_archives INTERFACE)
 target_include_directories(lapilli_archives SYSTEM INTERFACE ${HDF5_C_INCLUDE_DIRS} ${PNG_INCLUDE_DIRS})

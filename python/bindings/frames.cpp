@@ -52,13 +52,23 @@ py::array read_field(SharedReader& reader, Index frame, const std::string& name)
     const py::gil_scoped_release release;
     return reader.read(column, frame);
   }();
-  std::vector<py::ssize_t> shape = {reader.index().points};
+  std::vector<py::ssize_t> shape = {reader.index().points_of(frame)};
   if (layout.components > 1) {
     shape.push_back(layout.components);
   }
   py::array array = layout.is_index ? py::array(py::array_t<Index>(shape))
                                     : py::array(py::array_t<double>(shape));
-  std::memcpy(array.mutable_data(), words.data(), words.size() * sizeof(words[0]));
+  if (layout.is_single) {
+    const auto* numbers = reinterpret_cast<const std::byte*>(words.data());
+    auto* to = static_cast<double*>(array.mutable_data());
+    for (py::ssize_t k = 0; k < array.size(); ++k) {
+      float number = 0.0F;
+      std::memcpy(&number, numbers + k * py::ssize_t{sizeof number}, sizeof number);
+      to[k] = number;
+    }
+  } else {
+    std::memcpy(array.mutable_data(), words.data(), static_cast<std::size_t>(array.nbytes()));
+  }
   return array;
 }
 
@@ -70,6 +80,14 @@ std::vector<std::string> field_names_of(const SharedReader& reader) {
     }
   }
   return names;
+}
+
+std::vector<Index> point_counts_of(const SharedReader& reader) {
+  std::vector<Index> counts;
+  for (Index frame = 0; frame < reader.index().frames(); ++frame) {
+    counts.push_back(reader.index().points_of(frame));
+  }
+  return counts;
 }
 
 }  // namespace
@@ -94,6 +112,10 @@ void bind_frames(py::module_& module) {
           py::cpp_function([](const SharedReader& reader) { return reader.index().times; },
                            ("times" + self + ") -> list[float]").c_str()),
           "of every frame, s")
+      .def_property_readonly(
+          "point_counts",
+          py::cpp_function(&point_counts_of, ("point_counts" + self + ") -> list[int]").c_str()),
+          "points in every frame")
       .def_property_readonly(
           "fields", py::cpp_function(&field_names_of, ("fields" + self + ") -> list[str]").c_str()),
           "names that can be read beside position");

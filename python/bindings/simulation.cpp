@@ -61,12 +61,9 @@ py::object field(const py::object& self, const std::string& name) {
 }
 
 py::object by_id(const py::object& self, const std::string& name) {
-  const auto ids = self.cast<PythonSimulation&>().get().points().id();
-  py::array_t<Index> order(static_cast<py::ssize_t>(ids.size()));
-  for (std::size_t row = 0; row < ids.size(); ++row) {
-    order.mutable_at(ids[row]) = static_cast<Index>(row);
-  }
-  return field(self, name)[order];
+  const Points& points = self.cast<PythonSimulation&>().get().points();
+  const std::vector<Index> rows = points.rows_by_id();
+  return field(self, name)[py::array_t<Index>(static_cast<py::ssize_t>(rows.size()), rows.data())];
 }
 
 std::string unit_of(PythonSimulation& simulation, const std::string& name) {

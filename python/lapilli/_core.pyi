@@ -2414,6 +2414,8 @@ class Dynamics:
         automatic step over h / (wave speed + point speed); above 0 and at most 1
     grid_boundaries : list[NoSlipBoundary | RollerBoundary | FrictionalBoundary], default []
         faces of the grid that hold the material; others are open
+    outside : typing.Literal['stop', 'remove'], default 'stop'
+        what becomes of points that leave through open faces: the run stops, or they are removed with all that they carry
     obstacles : list[Obstacle], default []
         rigid shapes that material cannot enter, at rest or moving
     contacts : list[BodyContact], default []
@@ -2427,7 +2429,7 @@ class Dynamics:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., gravity_factor: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., local_damping: float = ..., damping_until: float | None = ..., transfer: typing.Literal['blended_apic', 'flip', 'apic', 'tpic'] = ..., blend_rate: float = ..., pic_fraction: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., b_bar: bool | None | str = ..., courant: float = ..., grid_boundaries: list[NoSlipBoundary | RollerBoundary | FrictionalBoundary] = ..., obstacles: list[Obstacle] = ..., contacts: list[BodyContact] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
+    def __init__(self, *, gravity: collections.abc.Sequence[float] = ..., gravity_factor: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., local_damping: float = ..., damping_until: float | None = ..., transfer: typing.Literal['blended_apic', 'flip', 'apic', 'tpic'] = ..., blend_rate: float = ..., pic_fraction: float = ..., stress_update: typing.Literal['usl', 'musl'] = ..., b_bar: bool | None | str = ..., courant: float = ..., grid_boundaries: list[NoSlipBoundary | RollerBoundary | FrictionalBoundary] = ..., outside: typing.Literal['stop', 'remove'] = ..., obstacles: list[Obstacle] = ..., contacts: list[BodyContact] = ..., boundaries: list[Pressure | Traction] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -2522,6 +2524,14 @@ class Dynamics:
         """
     @obstacles.setter
     def obstacles(self, value: list[Obstacle]) -> None:
+        ...
+    @property
+    def outside(self) -> typing.Literal['stop', 'remove']:
+        """
+        what becomes of points that leave through open faces: the run stops, or they are removed with all that they carry
+        """
+    @outside.setter
+    def outside(self, value: typing.Literal['stop', 'remove']) -> None:
         ...
     @property
     def pic_fraction(self) -> float:
@@ -4043,6 +4053,12 @@ class Output:
         time between frames; the first and the last only when not given; above 0 (s)
     every_steps : int | None, default None
         steps between frames, instead of a time; from 1 to 1e+12
+    fields : collections.abc.Sequence[str] | None, default None
+        names of the fields that frames hold beside position, id, body and volume; every field when not given
+    precision : typing.Literal['double', 'single'], default 'double'
+        of the fields of frames: eight bytes a number, or four with 7 digits; positions and checkpoints always have eight
+    compression : int, default 0
+        of frames, without loss: 0 none, 1 fast, 9 small; from 0 to 9
     history_every : float | None, s, default None
         least time between rows of the history; one with every frame when not given; above 0 (s)
     checkpoint : bool, default True
@@ -4056,7 +4072,7 @@ class Output:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, path: str = ..., every: float | None = ..., every_steps: int | None = ..., history_every: float | None = ..., checkpoint: bool = ..., checkpoint_every: float | None = ...) -> None:
+    def __init__(self, *, path: str = ..., every: float | None = ..., every_steps: int | None = ..., fields: collections.abc.Sequence[str] | None = ..., precision: typing.Literal['double', 'single'] = ..., compression: int = ..., history_every: float | None = ..., checkpoint: bool = ..., checkpoint_every: float | None = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -4081,6 +4097,14 @@ class Output:
     def checkpoint_every(self, value: float | None) -> None:
         ...
     @property
+    def compression(self) -> int:
+        """
+        of frames, without loss: 0 none, 1 fast, 9 small
+        """
+    @compression.setter
+    def compression(self, value: int) -> None:
+        ...
+    @property
     def every(self) -> float | None:
         """
         time between frames; the first and the last only when not given, s
@@ -4097,6 +4121,14 @@ class Output:
     def every_steps(self, value: int | None) -> None:
         ...
     @property
+    def fields(self) -> collections.abc.Sequence[str] | None:
+        """
+        names of the fields that frames hold beside position, id, body and volume; every field when not given
+        """
+    @fields.setter
+    def fields(self, value: collections.abc.Sequence[str] | None) -> None:
+        ...
+    @property
     def history_every(self) -> float | None:
         """
         least time between rows of the history; one with every frame when not given, s
@@ -4111,6 +4143,14 @@ class Output:
         """
     @path.setter
     def path(self, value: str) -> None:
+        ...
+    @property
+    def precision(self) -> typing.Literal['double', 'single']:
+        """
+        of the fields of frames: eight bytes a number, or four with 7 digits; positions and checkpoints always have eight
+        """
+    @precision.setter
+    def precision(self, value: typing.Literal['double', 'single']) -> None:
         ...
 class Scene:
     """
@@ -4556,6 +4596,11 @@ class FrameReader:
     def fields(self) -> list[str]:
         """
         names that can be read beside position
+        """
+    @property
+    def point_counts(self) -> list[int]:
+        """
+        points in every frame
         """
     @property
     def times(self) -> list[float]:

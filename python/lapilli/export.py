@@ -40,9 +40,23 @@ def frames_to_xarray(frames: Frames, fields: Sequence[str] | None) -> xarray.Dat
     for name in fields or ():
         require_field(name, frames.fields, frames.path)
     names = [name for name in fields or frames.fields if name not in NOT_VARIABLES]
-    arrays = {name: np.stack([frame[name] for frame in frames]) for name in ["position", *names]}
+    arrays = {
+        name: np.stack([_of_all_points(frame, name) for frame in frames])
+        for name in ["position", *names]
+    }
     units = {name: frames.unit(name) for name in arrays}
     return dataset(frames.times, frames[0]["id"], frames[0]["body"], arrays, units)
+
+
+def _of_all_points(frame: Frame, name: str) -> Array:
+    """A field with a row for every point of the first frame: NaN for those that have left."""
+    values: Array = frame[name]
+    count = frame.frames.point_counts[0]
+    if len(values) == count:
+        return values
+    padded = np.full((count, *values.shape[1:]), np.nan)
+    padded[frame["id"]] = values
+    return padded
 
 
 def state_to_xarray(result: Result) -> xarray.Dataset:

@@ -39,7 +39,8 @@ class Frame:
 
     def __getitem__(self, name: str) -> Array:
         """A field, one row per point in the order of the points' ids, or one component of it:
-        ``frame["velocity.x"]``, ``frame["stress.xy"]``, ``frame["velocity.magnitude"]``.
+        ``frame["velocity.x"]``, ``frame["stress.xy"]``, ``frame["velocity.magnitude"]``. Points
+        that have left the grid have no row; ``frame["id"]`` says who is left.
 
         Raises ``OutputError`` naming file, frame and field when it is damaged or missing.
         """
@@ -90,6 +91,7 @@ class Frames:
         self.reader = _core.FrameReader(os.fspath(self.path))
         self.times: npt.NDArray[np.float64] = np.array(self.reader.times)
         self.fields: list[str] = sorted(self.reader.fields)
+        self.point_counts: list[int] = self.reader.point_counts
 
     def __reduce__(self) -> tuple[type[Frames], tuple[Path]]:
         return Frames, (self.path,)
@@ -190,7 +192,7 @@ class Frames:
             A position, m: the field is fitted linearly to the points around it, as a probe of the
             run does, and is NaN where there is no material.
         point
-            The id of a material point that is followed instead.
+            The id of a material point that is followed instead; NaN once it has left the grid.
         """
         from lapilli.time_series import time_series
 
@@ -199,7 +201,7 @@ class Frames:
     def to_xarray(self, fields: Sequence[str] | None = None) -> xarray.Dataset:
         """All frames, of all fields or those named, over time, point and component.
 
-        Reads everything into memory: 8 bytes a number.
+        Reads everything into memory: 8 bytes a number. Points that have left the grid are NaN.
         """
         from lapilli.export import frames_to_xarray
 

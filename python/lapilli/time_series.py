@@ -45,7 +45,15 @@ def _follower(frames: Frames, point: int) -> Callable[[Frame, str], Array]:
         raise ValueError(
             f"there is no point {point} in {frames.path}: ids go from 0 to {count - 1}"
         )
-    return lambda frame, field: np.atleast_1d(frame[field][point])
+
+    def read(frame: Frame, field: str) -> Array:
+        values = np.asarray(frame[field])
+        row = int(np.searchsorted(frame["id"], point))
+        if row == len(values) or frame["id"][row] != point:  # it has left the grid
+            return np.full(values[:1].size, np.nan)
+        return np.atleast_1d(values[row])
+
+    return read
 
 
 def _prober(frames: Frames, probe: Sequence[float]) -> Callable[[Frame, str], Array]:

@@ -163,3 +163,35 @@ def test_a_probe_outside_of_every_body_is_an_error(position: tuple[float, float]
     scene.probes = [lp.Probe(name="mid", position=position)]
     with pytest.raises(ValueError, match=r"probes\[0\]\.position lies .* outside of every body"):
         lp.Simulation(scene)
+
+
+def test_plastic_heat_has_its_column_before_anything_yields() -> None:
+    """A column that came later would shift the numbers of all after it."""
+    sand = lp.MohrCoulomb(
+        density=1000,
+        youngs_modulus=1e5,
+        poissons_ratio=0.3,
+        friction_angle=20,
+        dilatancy_angle=0,
+        cohesion=50,
+    )
+    heat = lp.Thermal(density=1000, specific_heat=1, conductivity=1)
+    scene = lp.Scene(
+        grid=lp.Grid(lower=(0, 0), upper=(4, 2), cell=0.25),
+        bodies=[
+            lp.Body(
+                shape=lp.Box(lower=(1, 0), upper=(2, 1)),
+                material=[sand, heat, lp.PlasticHeating(share=0.5)],
+                velocity=(0.5, -1),
+            )
+        ],
+        dynamics=lp.Dynamics(gravity=(0, -10), grid_boundaries=[lp.NoSlipBoundary(face="y_lower")]),
+        heat=lp.Heat(),
+        time=lp.Time(end=0.1),
+        output=lp.Output(every=0.02),
+    )
+    result = lp.run(scene, progress=False)
+    column = result.summary.history["heat/supplied_by_plastic_work"]
+    entry = dict(result.balance["heat"].entries)["plastic work"]
+    assert column[0] == 0 < column[-1] == entry
+    assert result.summary.history["position_y/largest"][0] < 1.01

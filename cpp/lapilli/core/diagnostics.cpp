@@ -59,6 +59,8 @@ constexpr Known known_diagnostics[] = {
     {"wall_friction", "J", true, "work dissipated by friction on walls so far"},
     {"wall_impact", "J", true, "kinetic energy lost in impact on walls so far"},
     {"transfer_loss", "J", true, "kinetic energy lost between points and grid so far"},
+    {"removed_points", "", false, "points that left the grid and were removed so far"},
+    {"removed_mass", "kg", true, "mass of points that left the grid and were removed so far"},
     {"damping_loss", "J", true, "energy that local damping has taken so far"},
     {"strain_transfer_loss", "J", true, "elastic energy lost between points and grid so far"},
     {"expansion_work", "J", true, "work of thermal expansion so far"},

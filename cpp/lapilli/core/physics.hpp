@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,8 @@ class Physics {
   virtual void refresh_output() {}
   virtual std::vector<Field> fields() = 0;
   virtual std::vector<Balance> balances() const { return {}; }
+  /// Book what the points in these rows carry: they leave the simulation now, after the step.
+  virtual void release(std::span<const Index>) {}
   /// Everything a bitwise resume needs, whether output shows it or not.
   virtual void save(Archive& archive) const = 0;
   virtual void load(const Archive& archive) = 0;

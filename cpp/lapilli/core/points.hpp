@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "lapilli/core/archive.hpp"
@@ -14,7 +15,7 @@ namespace lapilli {
 class PointArray;
 
 /// The points of a simulation: position, volume, id, body. Every array that belongs to points is
-/// attached here and follows them when they are re-ordered. One physics at most moves them.
+/// attached here and follows when they are re-ordered or leave. One physics at most moves them.
 class Points {
  public:
   explicit Points(int dimension);
@@ -26,12 +27,14 @@ class Points {
 
   int dimension() const { return dimension_; }
   Index size() const { return static_cast<Index>(id_.size()); }
+  /// Points that there were at the start.
+  Index created() const { return created_; }
 
   std::span<double> position() { return position_; }              // m, size x dimension
   std::span<const double> position() const { return position_; }  //
   std::span<double> volume() { return volume_; }                  // current volume, m^dim
   std::span<const double> volume() const { return volume_; }      //
-  std::span<const Index> id() const { return id_; }               // 0 .. size-1, never changes
+  std::span<const Index> id() const { return id_; }               // 0, 1, ..; never changes
   std::span<const Index> body() const { return body_; }           // which body of the scene
 
   template <int Dim>
@@ -68,14 +71,24 @@ class Points {
   /// Re-order: new row k holds what was in row order[k]; attached arrays follow in place, so their
   /// addresses stay.
   void permute(std::span<const Index> order);
+  /// Say, during a step, which rows leave the simulation at its end; in rising order.
+  void leave(std::vector<Index> rows) { leaving_ = std::move(rows); }
+  std::span<const Index> leaving() const { return leaving_; }
+  /// Take the rows that leave out of all arrays; the others keep their order.
+  void remove_leaving();
+  /// The rows in order of id, and the place of every row in that order.
+  std::vector<Index> rows_by_id() const;
+  std::vector<Index> places_by_id() const;
   /// Counts re-orderings, for those who keep row numbers.
   Index ordering() const { return ordering_; }
 
   void save(Archive& archive) const;
+  /// Read what was saved, of as many points as there were then.
   void load(const Archive& archive);
 
  private:
   friend class PointArray;
+  void resize(Index count);
   void attach(PointArray* array);
   void detach(PointArray* array);
 
@@ -83,6 +96,8 @@ class Points {
   LargeArray<double> position_, volume_;
   std::vector<Index> id_, body_;
   std::vector<PointArray*> attached_;
+  std::vector<Index> leaving_;
+  Index created_ = 0;
   Index version_ = 0, ordering_ = 0;
   Travel travel_;
 };
@@ -110,6 +125,7 @@ class PointArray {
   double operator[](Index row) const { return values_[static_cast<std::size_t>(row)]; }
 
  private:
+  friend class Points;
   Points& points_;
   int components_;
   Kind kind_;

@@ -96,6 +96,9 @@ struct Fit {
 
 Fit only(const Points& points, Index id) {
   const auto found = std::find(points.id().begin(), points.id().end(), id);
+  if (found == points.id().end()) {
+    return {};  // it has left
+  }
   return {{{0.0, id, found - points.id().begin()}}, Eigen::VectorXd::Ones(1)};
 }
 

@@ -17,9 +17,9 @@ struct Probe {
 };
 
 /// Reads probes. At a fixed position the field is fitted linearly to the nearest 3^dimension points
-/// of the body that is there, so that linear fields come out exactly; where no material is, the
-/// value is NaN. A scalar has one number, "mid"; vectors and tensors one for each component,
-/// "mid_x", "mid_xy".
+/// of the body that is there, so that linear fields come out exactly; where no material is, and of
+/// a material point that has left the simulation, the value is NaN. A scalar has one number, "mid";
+/// vectors and tensors one for each component, "mid_x", "mid_xy".
 class Probes {
  public:
   /// Chooses the material points, of the first `bodies` bodies only.

@@ -92,6 +92,7 @@ StepReport Simulation::advance(double size, bool output_due, bool last) {
       total.iterations += report.iterations;
       total.residual = std::max(total.residual, report.residual);
     }
+    let_points_leave();
   } catch (const StepRefused& error) {
     const std::string reason = message("step ", index_, ", time ", time_, " s: ", error.what());
     if (physics_.size() == 1) {
@@ -115,6 +116,20 @@ StepReport Simulation::advance(double size, bool output_due, bool last) {
     watch_balances();
   }
   return total;
+}
+
+void Simulation::let_points_leave() {
+  const std::span<const Index> leaving = points_->leaving();
+  if (leaving.empty()) {
+    return;
+  }
+  for (const auto& physics : physics_) {
+    physics->release(leaving);
+  }
+  points_->remove_leaving();
+  if (points_->size() == 0) {
+    throw RunError("every point has left the grid: nothing is left to simulate");
+  }
 }
 
 void Simulation::watch_balances() {

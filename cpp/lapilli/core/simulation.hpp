@@ -60,6 +60,8 @@ class Simulation {
   NextStep next_step() const;
   StepReport advance(double size, bool output_due, bool last);
   void require_whole() const;
+  /// After a step: every physics books what they carry, then they are gone.
+  void let_points_leave();
   /// Remember the largest amount that every balance has seen.
   void watch_balances();
 

@@ -1,9 +1,12 @@
 #include "lapilli/output/frame_column.hpp"
 
-#include <bit>
+#include <algorithm>
+#include <cstring>
 #include <numeric>
 #include <set>
+#include <type_traits>
 
+#include "lapilli/core/allowed.hpp"
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
 
@@ -36,10 +39,10 @@ std::vector<int> stored_components(int given, int dimension) {
 }
 
 Column point_column(const char* name, const char* unit, int components, bool is_index) {
-  return {name, unit, components, is_index, true};
+  return {name, unit, components, is_index, true, false};
 }
 
-FrameColumn field_column(const Field& field, const Points& points) {
+FrameColumn field_column(const Field& field, const Points& points, bool single) {
   require(field.components >= 1 &&
               static_cast<Index>(field.values.size()) == points.size() * field.components,
           "field '", field.name, "' has ", field.values.size(), " values; ", points.size(),
@@ -49,14 +52,62 @@ FrameColumn field_column(const Field& field, const Points& points) {
           "' cannot be stored: it is empty or contains '/', tab or newline");
   std::vector<int> source = stored_components(field.components, points.dimension());
   const int components = static_cast<int>(source.size());
-  return {{"PointData/" + field.name, field.unit, components, false, false},
+  return {{"PointData/" + field.name, field.unit, components, false, false, single},
           std::span<const double>(field.values),
           std::move(source)};
 }
 
+/// Number is double, float or Index.
+template <class Number, class Values>
+void pack_rows(const Values& values, const std::vector<int>& source, std::span<const Index> rows,
+               Words& words) {
+  const std::size_t stored = source.size(), given = values.size() / rows.size();
+  auto* const packed = reinterpret_cast<std::byte*>(words.data());
+  parallel_for(static_cast<Index>(rows.size()), [&](Index row) {
+    std::byte* to = packed + static_cast<std::size_t>(rows[row]) * stored * sizeof(Number);
+    for (std::size_t k = 0; k < stored; ++k, to += sizeof(Number)) {
+      if (const int from = source[k]; from >= 0) {
+        const auto number = static_cast<Number>(values[row * given + from]);
+        std::memcpy(to, &number, sizeof number);
+      }
+    }
+  });
+}
+
+void require_finite(const Words& words, const Column& column) {
+  constexpr std::uint64_t exponents = 0x7f8000007f800000, low = 0x7f800000, high = exponents - low;
+  for (const std::uint64_t word : words) {
+    require(
+        (word & low) != low && (word & high) != high, field_name(column),
+        " has a value that output.precision = \"single\" cannot hold: numbers of four bytes end "
+        "at 3.4e38");
+  }
+}
+
 }  // namespace
 
-std::vector<FrameColumn> frame_columns(const Points& points, std::span<const Field> fields) {
+bool is_asked_for(const Field& field, const FrameOptions& options) {
+  return !options.fields || std::ranges::find(*options.fields, field.name) != options.fields->end();
+}
+
+void require_fields(std::span<const Field> fields, const FrameOptions& options) {
+  std::vector<std::string> names = {"position", "id", "body", "volume"};
+  std::string listed;
+  for (const Field& field : fields) {
+    names.push_back(field.name);
+    listed += (listed.empty() ? "" : ", ") + field.name;
+  }
+  for (const std::string& name : options.fields.value_or(std::vector<std::string>())) {
+    const std::string nearest = nearest_name(name, names);
+    require(std::ranges::find(names, name) != names.end(), "output.fields: unknown field '", name,
+            "'; ", nearest.empty() ? "" : "did you mean '" + nearest + "'? ",
+            "fields of this scene: ", listed);
+  }
+}
+
+std::vector<FrameColumn> frame_columns(const Points& points, std::span<const Field> fields,
+                                       const FrameOptions& options) {
+  require_fields(fields, options);
   static const char* const volume_units[] = {"m", "m^2", "m^3"};
   const int dimension = points.dimension();
   std::vector<FrameColumn> columns = {
@@ -68,7 +119,9 @@ std::vector<FrameColumn> frame_columns(const Points& points, std::span<const Fie
        {0}},
   };
   for (const Field& field : fields) {
-    columns.push_back(field_column(field, points));
+    if (is_asked_for(field, options)) {
+      columns.push_back(field_column(field, points, options.single));
+    }
   }
   std::set<std::string> names;
   for (const FrameColumn& entry : columns) {
@@ -79,23 +132,27 @@ std::vector<FrameColumn> frame_columns(const Points& points, std::span<const Fie
   return columns;
 }
 
-Words pack(const FrameColumn& column, std::span<const Index> id) {
-  const std::size_t stored = column.source.size();
-  Words words(id.size() * stored, 0);
+Words pack(const FrameColumn& column, std::span<const Index> rows) {
+  const std::size_t numbers = rows.size() * column.source.size();
+  Words words(column.column.is_single ? (numbers + 1) / 2 : numbers, 0);
   std::visit(
       [&](auto values) {
-        const std::size_t given = values.size() / id.size();
-        parallel_for(static_cast<Index>(id.size()), [&](Index row) {
-          std::uint64_t* to = words.data() + static_cast<std::size_t>(id[row]) * stored;
-          for (std::size_t k = 0; k < stored; ++k) {
-            if (const int from = column.source[k]; from >= 0) {
-              to[k] = std::bit_cast<std::uint64_t>(values[row * given + from]);
-            }
-          }
-        });
+        using Number = std::remove_cv_t<typename decltype(values)::value_type>;
+        if (column.column.is_single) {
+          pack_rows<float>(values, column.source, rows, words);
+        } else {
+          pack_rows<Number>(values, column.source, rows, words);
+        }
       },
       column.values);
+  if (column.column.is_single) {
+    require_finite(words, column.column);
+  }
   return words;
+}
+
+std::string field_name(const Column& column) {
+  return column.name == "Points" ? "position" : column.name.substr(column.name.find('/') + 1);
 }
 
 }  // namespace lapilli

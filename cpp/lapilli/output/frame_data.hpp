@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "lapilli/output/file.hpp"
-#include "lapilli/output/frame_column.hpp"
 #include "lapilli/output/frame_journal.hpp"
+#include "lapilli/output/frame_layout.hpp"
 
 namespace lapilli {
 
@@ -20,16 +20,23 @@ class FrameData {
  public:
   /// Make the file, replacing a former one all at once. The first of a series also holds the
   /// topology: every point is a vertex.
-  static FrameData create(const std::filesystem::path& path, const std::vector<Column>& columns,
-                          Index points, Index capacity, bool with_topology);
+  static FrameData create(const std::filesystem::path& path, const FrameLayout& layout,
+                          Index capacity, bool with_topology);
   /// Open a file made by `create`, without HDF5. Throws OutputError when it is missing or shorter
   /// than it was.
-  static FrameData open(const std::filesystem::path& path, const std::vector<Column>& columns,
-                        Index points, Index capacity, Addresses addresses, File::Mode mode);
+  static FrameData open(const std::filesystem::path& path, const FrameLayout& layout,
+                        Index capacity, Addresses addresses, File::Mode mode);
 
-  /// Write or read the rows of one column in one slot (0 .. capacity-1).
+  /// Write or read the rows of one column in one slot (0 .. capacity-1). What of a compressed slot
+  /// is damaged comes as zeros.
   void write(std::size_t column, Index slot, const Words& words);
   Words read(std::size_t column, Index slot) const;
+  /// Make a compressed slot as it was before anything was written into it.
+  void clear(std::size_t column, Index slot);
+  /// Bytes that the longest piece of a compressed slot takes.
+  Index longest_piece(std::size_t column, Index slot) const;
+  /// The bytes of a slot as they lie in the file, of every piece the first `room`.
+  std::vector<std::byte> bytes_of_slot(std::size_t column, Index slot, Index room) const;
   /// Write or read what the journal says of a frame; read: nothing where no whole entry is.
   void write_entry(Index row, const FrameEntry& entry);
   std::optional<FrameEntry> read_entry(Index row) const;
@@ -41,27 +48,29 @@ class FrameData {
   const std::filesystem::path& path() const { return file_.path(); }
 
  private:
-  FrameData(File file, Addresses addresses, const std::vector<Column>& columns, Index points);
+  FrameData(File file, Addresses addresses, const FrameLayout& layout);
   std::int64_t byte_of(std::size_t column, Index slot) const {
-    return addresses_[column] + slot * words_[column] * 8;
+    return addresses_[column] + slot * layout_.slot_bytes(column);
   }
+  std::int64_t byte_of_entry(Index row) const { return addresses_.back() + row * entry_words_ * 8; }
+  void write_packed(std::size_t column, Index slot, const Words& words);
+  Words read_packed(std::size_t column, Index slot) const;
+  Index unpack_piece(std::size_t column, Index slot, Index piece,
+                     std::span<std::byte> numbers) const;
 
   File file_;
   Addresses addresses_;
-  std::vector<Index> words_;  // numbers a frame of each column, then of the journal
+  FrameLayout layout_;
+  Index entry_words_;
 };
 
 /// Write the cells of `points` points into the HDF5 group Vertices: each is one vertex.
 void write_topology(std::int64_t group, Index points);
 
 /// Make room for so many slots of a column, with its unit; returns the byte at which it begins.
-Index lay_out_column(std::int64_t group, const Column& column, Index points, Index slots);
+Index lay_out_column(std::int64_t group, const FrameLayout& layout, std::size_t column,
+                     Index slots);
 /// The same for the journal of so many frames.
-Index lay_out_journal(std::int64_t group, std::size_t columns, Index frames);
-
-/// Name, unit and kind of each column as lines of text, and back. `parse_layout` throws
-/// std::invalid_argument when the text is damaged.
-std::string layout_text(const std::vector<Column>& columns);
-std::vector<Column> parse_layout(const std::string& layout);
+Index lay_out_journal(std::int64_t group, const FrameLayout& layout, Index frames);
 
 }  // namespace lapilli

@@ -9,6 +9,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/output/file_seal.hpp"
 #include "lapilli/output/frame_data.hpp"
+#include "lapilli/output/frame_datasets.hpp"
 #include "lapilli/output/hdf5_file.hpp"
 #include "lapilli/output/output_error.hpp"
 
@@ -26,11 +27,12 @@ std::string offsets_name(const Column& column) {
              : "Steps/PointDataOffsets/" + column.name.substr(std::string(point_data).size());
 }
 
-void write_cells(hid_t group, Index points) {
+void write_cells(hid_t group, std::span<const Index> points) {
   for (const std::string name : cell_kinds) {
     const Hdf5Id cells = hdf5_group(group, name);
     const bool vertices = name == "Vertices";
-    const std::array<Index, 1> count = {vertices ? points : 0};
+    const std::vector<Index> none(points.size(), 0);
+    const std::span<const Index> count = vertices ? points : none;
     hdf5_write<Index>(cells, "NumberOfCells", count);
     hdf5_write<Index>(cells, "NumberOfConnectivityIds", count);
     if (!vertices) {
@@ -41,7 +43,12 @@ void write_cells(hid_t group, Index points) {
   }
 }
 
-/// Topology never changes, so every step refers to the one part at offset zero.
+/// The points of each part: one part for all frames, or one for each where points may leave.
+std::vector<Index> points_of_parts(const FrameIndex& index) {
+  return index.points_leave ? index.counts : std::vector<Index>{index.points};
+}
+
+/// Topology never changes, or loses its end, so that all cells begin at offset zero.
 void write_steps(hid_t group, const FrameIndex& index) {
   const Hdf5Id steps = hdf5_group(group, "Steps");
   const std::array<Index, 1> count = {index.frames()};
@@ -49,7 +56,11 @@ void write_steps(hid_t group, const FrameIndex& index) {
   const std::vector<Index> zeros(4 * frames, 0), ones(frames, 1);
   hdf5_attribute<Index>(steps, "NSteps", count, true);
   hdf5_write<double>(steps, "Values", index.times);
-  hdf5_write<Index>(steps, "PartOffsets", std::span(zeros).first(frames));
+  std::vector<Index> parts(frames, 0);
+  if (index.points_leave) {
+    std::iota(parts.begin(), parts.end(), Index{0});
+  }
+  hdf5_write<Index>(steps, "PartOffsets", parts);
   hdf5_write<Index>(steps, "NumberOfParts", ones);
   hdf5_write<Index>(steps, "CellOffsets", zeros, 4);
   hdf5_write<Index>(steps, "ConnectivityIdOffsets", zeros, 4);
@@ -57,7 +68,7 @@ void write_steps(hid_t group, const FrameIndex& index) {
   for (std::size_t k = 0; k < index.columns.size(); ++k) {
     std::vector<Index> offsets = index.slots[k];
     for (Index& offset : offsets) {
-      offset *= index.points;
+      offset *= index.slot_rows();
     }
     hdf5_write<Index>(group, offsets_name(index.columns[k]), offsets);
   }
@@ -80,16 +91,17 @@ void join(hid_t group, const Column& column, const std::filesystem::path& path,
           const FrameIndex& index) {
   const std::string action = "join " + column.name;
   const Hdf5Id creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, action);
-  const Hdf5Id all = rows_of(column, index.capacity() * index.points);
+  const Hdf5Id all = rows_of(column, index.capacity() * index.slot_rows());
   const double missing = std::numeric_limits<double>::quiet_NaN();
   const Index no_index = -1;
-  const hid_t type = column.is_index ? hdf5_type<Index>() : hdf5_type<double>();
+  const hid_t type = type_of(column);
   const void* fill = column.is_index ? static_cast<const void*>(&no_index) : &missing;
-  hdf5_check(H5Pset_fill_value(creation, type, fill), action);
+  hdf5_check(H5Pset_fill_value(creation, column.is_index ? type : hdf5_type<double>(), fill),
+             action);
   hdf5_check(H5Pset_obj_track_times(creation, false), action);
   Index begin = 0;
   for (std::size_t file = 0; file < index.capacities.size(); ++file) {
-    const Index rows = index.capacities[file] * index.points;
+    const Index rows = index.capacities[file] * index.slot_rows();
     const hsize_t start[2] = {static_cast<hsize_t>(begin), 0};
     const hsize_t size[2] = {static_cast<hsize_t>(rows), static_cast<hsize_t>(column.components)};
     const Hdf5Id part = rows_of(column, rows);
@@ -114,6 +126,9 @@ Index FrameIndex::capacity() const {
 
 void FrameIndex::cut(Index frames) {
   times.resize(static_cast<std::size_t>(frames));
+  if (points_leave) {
+    counts.resize(static_cast<std::size_t>(frames));
+  }
   for (std::vector<Index>& of_column : slots) {
     of_column.resize(static_cast<std::size_t>(frames));
   }
@@ -139,11 +154,11 @@ std::filesystem::path data_path(const std::filesystem::path& index_path, std::si
 void write_index_group(std::int64_t file, const FrameIndex& index) {
   const Hdf5Id group = hdf5_group(file, "VTKHDF");
   const std::array<Index, 2> version = {2, 0};
-  const std::array<Index, 1> points = {index.points};
+  const std::vector<Index> points = points_of_parts(index);
   hdf5_attribute<Index>(group, "Version", version);
   hdf5_attribute(group, "Type", "PolyData");
   hdf5_write<Index>(group, "NumberOfPoints", points);
-  write_cells(group, index.points);
+  write_cells(group, points);
   write_steps(group, index);
   const Hdf5Id of_points = hdf5_group(group, "PointData");
   const Hdf5Id own = hdf5_group(file, "lapilli");
@@ -152,6 +167,7 @@ void write_index_group(std::int64_t file, const FrameIndex& index) {
   hdf5_attribute(own, "name", index.name);
   hdf5_attribute<Index>(own, "capacities", index.capacities);
   hdf5_attribute<Index>(own, "merged", merged);
+  write_form(own, index);
 }
 
 void write_addresses(std::int64_t file, const FrameIndex& index) {
@@ -205,7 +221,7 @@ std::vector<Index> read_slots(hid_t group, const Column& column, const FrameInde
   require(slots.size() == index.times.size(), column.name, " has ", slots.size(), " of ",
           index.times.size(), " frames");
   for (Index& slot : slots) {
-    slot /= index.points;
+    slot /= index.slot_rows();
     require(slot >= 0 && slot < index.capacity(), column.name, " has no slot ", slot);
   }
   return slots;
@@ -216,13 +232,20 @@ FrameIndex read_group(hid_t file) {
   const Hdf5Id group(H5Gopen2(file, "VTKHDF", H5P_DEFAULT), H5Gclose, "read the index");
   FrameIndex index;
   const std::vector<Index> points = hdf5_read<Index>(group, "NumberOfPoints");
-  require(points.size() == 1 && points[0] > 0, "it has no points");
+  require(!points.empty() && *std::ranges::min_element(points) > 0, "it has no points");
   index.points = points[0];
   index.columns = parse_layout(hdf5_read_text_attribute(own, "columns"));
+  read_form(own, index);
   index.name = hdf5_read_text_attribute(own, "name");
   index.capacities = hdf5_read_attribute<Index>(own, "capacities");
   index.merged = hdf5_read_attribute<Index>(own, "merged") == std::vector<Index>{1};
   index.times = hdf5_read<double>(group, "Steps/Values");
+  if (index.points_leave) {
+    index.counts = points;
+    require(
+        points.size() == index.times.size() && *std::ranges::max_element(points) <= index.points,
+        "its numbers of points are damaged");
+  }
   index.addresses = read_addresses(own, index);
   for (const Column& column : index.columns) {
     index.slots.push_back(read_slots(group, column, index));

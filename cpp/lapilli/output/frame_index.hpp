@@ -10,12 +10,10 @@
 namespace lapilli {
 
 /// Which frames exist and where their numbers are: all that a reader of the frames goes by.
-/// Numbers live in data files beside the index; a slot is the room of one column in one frame, and
-/// slots count on through the data files.
-struct FrameIndex {
-  Index points = 0;
-  std::vector<Column> columns;
+/// Numbers live in data files beside the index; slots count on through the data files.
+struct FrameIndex : FrameLayout {
   std::vector<double> times;              // s, one a frame
+  std::vector<Index> counts;              // points of each frame, where they may leave
   std::vector<std::vector<Index>> slots;  // of each column, one a frame
   std::vector<Index> capacities;          // slots of each data file
   std::vector<Addresses> addresses;       // in each data file
@@ -23,6 +21,9 @@ struct FrameIndex {
   bool merged = false;                    // index and numbers in one file; nothing can be added
 
   Index frames() const { return static_cast<Index>(times.size()); }
+  Index points_of(Index frame) const {
+    return points_leave ? counts[static_cast<std::size_t>(frame)] : points;
+  }
   Index capacity() const;
   /// Forget the frames after the first `frames`.
   void cut(Index frames);

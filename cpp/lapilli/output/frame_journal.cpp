@@ -12,6 +12,9 @@ Words FrameEntry::to_words() const {
     words.push_back(static_cast<std::uint64_t>(slot));
   }
   words.insert(words.end(), checksums.begin(), checksums.end());
+  if (points) {
+    words.push_back(static_cast<std::uint64_t>(*points));
+  }
   words.push_back(checksum_of(words));
   return words;
 }
@@ -25,6 +28,9 @@ std::optional<FrameEntry> FrameEntry::from_words(const Words& words) {
   for (std::size_t column = 0; column < columns; ++column) {
     entry.slots.push_back(static_cast<Index>(words[2 + column]));
     entry.checksums.push_back(words[2 + columns + column]);
+  }
+  if (words.size() % 2 == 0) {
+    entry.points = static_cast<Index>(words[2 + 2 * columns]);
   }
   return entry;
 }

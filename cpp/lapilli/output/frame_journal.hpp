@@ -14,9 +14,12 @@ struct FrameEntry {
   double time = 0.0;                     // s
   std::vector<Index> slots;              // of each column
   std::vector<std::uint64_t> checksums;  // of the numbers in each
+  std::optional<Index> points = {};      // where they may leave
 
-  /// Words of the entry of a frame with so many columns.
-  static Index words_of(std::size_t columns) { return 3 + 2 * static_cast<Index>(columns); }
+  /// Words of the entry of a frame with so many columns, and whether points may leave.
+  static Index words_of(std::size_t columns, bool points_leave) {
+    return 3 + 2 * static_cast<Index>(columns) + (points_leave ? 1 : 0);
+  }
   Words to_words() const;
   /// Nothing when the words are no entry, or a damaged one.
   static std::optional<FrameEntry> from_words(const Words& words);

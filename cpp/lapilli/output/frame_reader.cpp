@@ -20,18 +20,23 @@ FrameData& FrameReader::data(std::size_t file) {
                                 "' lie in it. The files of a run stay together under the names "
                                 "they were written with; lapilli merge makes one file of them"));
     }
-    data_[file].emplace(FrameData::open(path, index_.columns, index_.points,
-                                        index_.merged ? 0 : index_.capacities[file],
+    data_[file].emplace(FrameData::open(path, index_, index_.merged ? 0 : index_.capacities[file],
                                         index_.addresses[file], File::Mode::read));
   }
   return *data_[file];
+}
+
+std::pair<const FrameData&, Index> FrameReader::place(Index slot) {
+  const auto [file, slot_of_file] = index_.place(slot);
+  return {data(file), slot_of_file};
 }
 
 FrameEntry FrameReader::entry(Index frame) {
   const auto [file, row] = index_.place(frame);
   const std::optional<FrameEntry> entry = data(file).read_entry(row);
   const auto number = static_cast<std::size_t>(frame);
-  bool fits = entry && entry->frame == frame && entry->time == index_.times[number];
+  bool fits = entry && entry->frame == frame && entry->time == index_.times[number] &&
+              entry->points.value_or(index_.points) == index_.points_of(frame);
   for (std::size_t column = 0; fits && column < index_.columns.size(); ++column) {
     fits = entry->slots[column] == index_.slots[column][number];
   }
@@ -65,10 +70,6 @@ std::size_t FrameReader::column_of(const std::string& name) const {
   }
   throw std::invalid_argument(
       message("no field '", name, "' in ", path_.string(), "; there is: ", names));
-}
-
-std::string field_name(const Column& column) {
-  return column.name == "Points" ? "position" : column.name.substr(column.name.find('/') + 1);
 }
 
 }  // namespace lapilli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "lapilli/output/frame_index.hpp"
@@ -21,6 +22,8 @@ class FrameReader {
   Words read(std::size_t column, Index frame);
   /// What the journal says of a frame. Throws OutputError when that is damaged.
   FrameEntry entry(Index frame);
+  /// Where a slot of a column lies: its data file, and the slot in that file.
+  std::pair<const FrameData&, Index> place(Index slot);
   /// Column of a name: "position" or a field. Throws std::invalid_argument that lists them.
   std::size_t column_of(const std::string& name) const;
 
@@ -31,8 +34,5 @@ class FrameReader {
   FrameIndex index_;
   std::vector<std::optional<FrameData>> data_;  // opened when needed
 };
-
-/// Name of a column for users: "Points" is the position.
-std::string field_name(const Column& column);
 
 }  // namespace lapilli

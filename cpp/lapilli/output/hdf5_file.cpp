@@ -140,7 +140,9 @@ Hdf5Id hdf5_open(const std::filesystem::path& path) {
 }
 
 Hdf5Id hdf5_group(hid_t parent, const std::string& name) {
-  return Hdf5Id(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
+  const Hdf5Id creation = property_list(H5P_GROUP_CREATE);
+  hdf5_check(H5Pset_obj_track_times(creation, false), "create group " + name);
+  return Hdf5Id(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose,
                 "create group " + name);
 }
 
@@ -189,7 +191,16 @@ std::vector<T> hdf5_read(hid_t parent, const std::string& name) {
 }
 
 Index hdf5_address(hid_t parent, const std::string& name) {
-  const haddr_t address = H5Dget_offset(open_dataset(parent, name));
+  const Hdf5Id dataset = open_dataset(parent, name);
+  haddr_t address = H5Dget_offset(dataset);
+  if (address == HADDR_UNDEF) {  // cut into chunks
+    H5Eclear2(H5E_DEFAULT);
+    const hsize_t first_row[2] = {0, 0};
+    unsigned mask = 0;
+    hsize_t size = 0;
+    hdf5_check(H5Dget_chunk_info_by_coord(dataset, first_row, &mask, &address, &size),
+               "find dataset " + name);
+  }
   hdf5_check(address == HADDR_UNDEF ? -1 : 0, "find dataset " + name);
   return static_cast<Index>(address);
 }

@@ -55,18 +55,30 @@ Hdf5Id hdf5_open(const std::filesystem::path& path);
 
 Hdf5Id hdf5_group(hid_t parent, const std::string& name);
 
-/// The two kinds of numbers that frames hold, eight bytes each.
+/// The kinds of numbers of eight bytes that files hold.
 template <class T>
 hid_t hdf5_type();
 
 /// A dataset of rows (x components when more than 1) with all its room on disk; nothing is filled.
 Hdf5Id hdf5_dataset(hid_t parent, const std::string& name, hid_t type, Index rows, int components);
+
+/// How a dataset is cut into chunks that are shuffled and deflated.
+struct Hdf5Pieces {
+  Index rows = 0;  // of a piece
+  Index room = 0;  // bytes of the file for each
+  int level = 0;   // of deflate, 1 .. 9
+};
+
+/// A dataset of such pieces, whose rooms lie one after the other from the byte `address` on; none
+/// of them is filled. For `hdf5_lay_out` with chunks.
+Hdf5Id hdf5_pieces(hid_t parent, const std::string& name, hid_t type, Index rows, int components,
+                   const Hdf5Pieces& pieces, Index& address);
 template <class T>
 void hdf5_write(hid_t parent, const std::string& name, std::span<const T> values,
                 int components = 1);
 template <class T>
 std::vector<T> hdf5_read(hid_t parent, const std::string& name);
-/// The byte at which a dataset begins that is one piece in its file.
+/// The byte at which a dataset begins that is one piece in its file, or the first of its chunks.
 Index hdf5_address(hid_t parent, const std::string& name);
 bool hdf5_exists(hid_t parent, const std::string& name);
 

@@ -18,6 +18,8 @@
 namespace lapilli {
 namespace {
 
+bool room_only = false;  // whoever calls HDF5 has locked it
+
 /// What HDF5 holds while the file is open; HDF5 fills in the first member.
 struct MemoryFile {
   H5FD_t base = {};
@@ -62,8 +64,11 @@ herr_t read_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t offset, std::size_t s
   return 0;
 }
 
-herr_t write_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t offset, std::size_t size,
+herr_t write_bytes(H5FD_t* file, H5FD_mem_t kind, hid_t, haddr_t offset, std::size_t size,
                    const void* from) {
+  if (room_only && kind == H5FD_MEM_DRAW) {
+    return 0;
+  }
   try {
     file_of(file).image->write(static_cast<std::int64_t>(offset),
                                static_cast<const std::byte*>(from), size);
@@ -170,13 +175,24 @@ void Hdf5Image::write_to(File& file) const {
   file.resize(size);
 }
 
-Hdf5Image hdf5_lay_out(const std::function<void(hid_t)>& fill) {
+Hdf5RoomOnly::Hdf5RoomOnly() { room_only = true; }
+
+Hdf5RoomOnly::~Hdf5RoomOnly() { room_only = false; }
+
+Hdf5Image hdf5_lay_out(const std::function<void(hid_t)>& fill, bool chunks) {
   const Hdf5Session session;
   Hdf5Image image;
   Hdf5Image* const laid_out = &image;
   const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make an HDF5 property list");
   hdf5_check(H5Pset_driver(access, driver(), &laid_out), "lay out an HDF5 file in memory");
-  Hdf5Id file(H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose,
+  if (chunks) {
+    hdf5_check(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110),
+               "lay out an HDF5 file in memory");
+    hdf5_check(H5Pset_small_data_block_size(access, 0), "lay out an HDF5 file in memory");
+  }
+  const Hdf5Id creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "make an HDF5 property list");
+  hdf5_check(H5Pset_obj_track_times(creation, false), "lay out an HDF5 file in memory");
+  Hdf5Id file(H5Fcreate("in memory", H5F_ACC_TRUNC, creation, access), H5Fclose,
               "lay out an HDF5 file in memory");
   fill(file);
   file.close();

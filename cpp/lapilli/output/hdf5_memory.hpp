@@ -31,7 +31,17 @@ struct Hdf5Image {
 };
 
 /// Lay out an HDF5 file by `fill`. HDF5 itself never touches a disk, so that no failure of one can
-/// leave a half-closed file inside of it. Throws OutputError when HDF5 refuses.
-Hdf5Image hdf5_lay_out(const std::function<void(hid_t)>& fill);
+/// leave a half-closed file inside of it. With `chunks` the form of the file is that of HDF5 1.10,
+/// which looks up a chunk at once. Throws OutputError when HDF5 refuses.
+Hdf5Image hdf5_lay_out(const std::function<void(hid_t)>& fill, bool chunks = false);
+
+/// While it lives, numbers that HDF5 writes into an image are given room but are not kept.
+class Hdf5RoomOnly {
+ public:
+  Hdf5RoomOnly();
+  ~Hdf5RoomOnly();
+  Hdf5RoomOnly(const Hdf5RoomOnly&) = delete;
+  Hdf5RoomOnly& operator=(const Hdf5RoomOnly&) = delete;
+};
 
 }  // namespace lapilli

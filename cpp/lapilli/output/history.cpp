@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lapilli/core/require.hpp"
 #include "lapilli/output/json.hpp"
 
 namespace lapilli {
@@ -35,6 +36,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 void History::add(double time, std::vector<Scalar> scalars, bool keep) {
+  require(numbers_.empty() || scalars.size() == columns_.size(), "the history has ",
+          columns_.size(), " columns, its next row has ", scalars.size());
   numbers_.push_back(time);
   for (const Scalar& scalar : scalars) {
     numbers_.push_back(scalar.value);

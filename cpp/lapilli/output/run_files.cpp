@@ -64,6 +64,7 @@ void RunFiles::take_over() {
 }
 
 void RunFiles::begin() {
+  require_fields(simulation_.fields(), options_.frames);
   history_.add(true);
   if (!is_writing()) {
     return;
@@ -74,7 +75,7 @@ void RunFiles::begin() {
   for (const std::filesystem::path& checkpoint : checkpoint_paths(options_.output)) {
     std::filesystem::remove(checkpoint, ignored);
   }
-  writer_.emplace(options_.output, schedule_.planned());
+  writer_.emplace(options_.output, schedule_.planned(), options_.frames);
   stepped_ = simulation_.time();
   write_frame(true);
   write_record("running", {});
@@ -128,7 +129,11 @@ void RunFiles::resume(RunStatistics& statistics) {
   kept_frames_ = checkpoint.state.read_index("run/frames");
   history_.load(checkpoint.state);
   stepped_ = time;
-  writer_ = VtkhdfWriter::resume(options_.output, kept_frames_, schedule_.planned());
+  if (kept_frames_ > 0) {
+    require_same_form(options_.output, simulation_.points(), simulation_.fields(), options_.frames);
+  }
+  writer_ =
+      VtkhdfWriter::resume(options_.output, kept_frames_, schedule_.planned(), options_.frames);
   write_record("running", statistics);
 }
 

@@ -9,6 +9,7 @@
 
 #include "lapilli/core/body_volume.hpp"
 #include "lapilli/core/probes.hpp"
+#include "lapilli/output/frame_column.hpp"
 
 namespace lapilli {
 
@@ -30,6 +31,7 @@ struct RunOptions {
   std::filesystem::path output;                  // ends in .vtkhdf; empty: nothing is written
   double frame_interval = 0.0;                   // s between frames; 0: the first and the last only
   Index frame_steps = 0;                         // steps between frames, instead of an interval
+  FrameOptions frames;                           // what of the fields they hold, and how
   std::vector<Probe> probes;                     // columns of the history
   int bodies = std::numeric_limits<int>::max();  // those whose points the history is about
   std::vector<std::pair<double, Index>> history;  // rows beside those of frames: s or steps

@@ -4,6 +4,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/output/checkpoint.hpp"
 #include "lapilli/output/file_seal.hpp"
+#include "lapilli/output/frame_datasets.hpp"
 #include "lapilli/output/frame_reader.hpp"
 #include "lapilli/output/hdf5_file.hpp"
 #include "lapilli/output/output_error.hpp"
@@ -62,6 +63,7 @@ void add_data_file(const std::filesystem::path& path, FrameIndex& index) {
   index.columns = parse_layout(hdf5_read_text_attribute(own, "columns"));
   const std::vector<Index> sizes = hdf5_read_attribute<Index>(own, "points_and_capacity");
   index.points = sizes.at(0);
+  read_form(own, index);
   index.capacities.push_back(sizes.at(1));
   Addresses& addresses = index.addresses.emplace_back();
   for (const Column& column : index.columns) {
@@ -79,6 +81,9 @@ void add_frames(const std::vector<FrameData>& data, FrameIndex& index) {
       return;
     }
     index.times.push_back(entry->time);
+    if (entry->points) {
+      index.counts.push_back(*entry->points);
+    }
     for (std::size_t column = 0; column < index.columns.size(); ++column) {
       index.slots[column].push_back(entry->slots[column]);
     }

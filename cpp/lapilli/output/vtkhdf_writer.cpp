@@ -11,12 +11,13 @@
 namespace lapilli {
 namespace {
 
-constexpr Index first_room = 64;  // frames, when their number is not known
+constexpr Index first_room = 64;         // frames, when their number is not known
+constexpr Index most_compressed = 4096;  // frames: the table of pieces is written at once
 
 }  // namespace
 
-VtkhdfWriter::VtkhdfWriter(std::filesystem::path path, Index planned_frames)
-    : path_(std::move(path)), planned_frames_(planned_frames) {
+VtkhdfWriter::VtkhdfWriter(std::filesystem::path path, Index planned_frames, FrameOptions options)
+    : path_(std::move(path)), planned_frames_(planned_frames), options_(std::move(options)) {
   check_frames_path(path_);
   std::error_code ignored;  // creating the first file says why a folder cannot be used
   std::filesystem::create_directories(path_.parent_path(), ignored);
@@ -24,11 +25,12 @@ VtkhdfWriter::VtkhdfWriter(std::filesystem::path path, Index planned_frames)
 }
 
 VtkhdfWriter VtkhdfWriter::resume(const std::filesystem::path& path, Index frames,
-                                  Index planned_frames) {
+                                  Index planned_frames, FrameOptions options) {
   check_frames_path(path);
   VtkhdfWriter writer;
   writer.path_ = path;
   writer.planned_frames_ = planned_frames;
+  writer.options_ = std::move(options);
   if (frames == 0) {
     remove_frames(path);
     return writer;
@@ -45,9 +47,11 @@ VtkhdfWriter VtkhdfWriter::resume(const std::filesystem::path& path, Index frame
   }
   writer.last_entry_ = reader.entry(frames - 1);
   writer.data_ = open_data(path, index, File::Mode::update);
+  const FrameIndex before = index;
   index.cut(frames);
   write_index(path, index);
   writer.forget_later_entries();
+  writer.clear_later_slots(before);
   return writer;
 }
 
@@ -63,8 +67,23 @@ void VtkhdfWriter::forget_later_entries() {
   }
 }
 
+/// A shorter stream would leave the end of a longer one: what is resumed has the bytes of what
+/// never stopped. One slot more than the index knew may have been written.
+void VtkhdfWriter::clear_later_slots(const FrameIndex& before) {
+  if (!index_.is_compressed()) {
+    return;
+  }
+  for (std::size_t column = 0; column < index_.columns.size(); ++column) {
+    const Index end = std::min(index_.capacity(), before.next_slot(column) + 1);
+    for (Index slot = index_.next_slot(column); slot < end; ++slot) {
+      const auto [file, place_in_file] = index_.place(slot);
+      data_[file].clear(column, place_in_file);
+    }
+  }
+}
+
 void VtkhdfWriter::write(double time, const Points& points, std::span<const Field> fields) {
-  const std::vector<FrameColumn> frame = frame_columns(points, fields);
+  const std::vector<FrameColumn> frame = frame_columns(points, fields, options_);
   if (index_.columns.empty()) {
     begin(frame, points.size());
   }
@@ -73,6 +92,9 @@ void VtkhdfWriter::write(double time, const Points& points, std::span<const Fiel
   FrameIndex next = index_;
   FrameEntry entry = store_columns(next.frames(), time, points, frame, resting);
   next.times.push_back(time);
+  if (next.points_leave) {
+    next.counts.push_back(points.size());
+  }
   for (std::size_t column = 0; column < frame.size(); ++column) {
     next.slots[column].push_back(entry.slots[column]);
   }
@@ -92,8 +114,13 @@ FrameEntry VtkhdfWriter::store_columns(Index number, double time, const Points& 
                                        const std::vector<FrameColumn>& frame,
                                        std::vector<Words>& resting) {
   FrameEntry entry{number, time, {}, {}};
+  if (index_.points_leave) {
+    entry.points = points.size();
+  }
+  const std::vector<Index> rows = points.places_by_id();
   for (std::size_t column = 0; column < frame.size(); ++column) {
-    Words words = pack(frame[column], points.id());
+    Words words = pack(frame[column], rows);
+    words.resize(static_cast<std::size_t>(index_.slot_words(column)), 0);
     entry.checksums.push_back(checksum_of(words));
     entry.slots.push_back(store(column, words, entry.checksums.back()));
     if (index_.columns[column].may_rest) {
@@ -108,18 +135,21 @@ FrameEntry VtkhdfWriter::store_columns(Index number, double time, const Points& 
 
 void VtkhdfWriter::begin(const std::vector<FrameColumn>& frame, Index points) {
   require(points > 0, "a simulation without points has no frames");
+  index_.points_leave = options_.points_leave;
   index_.points = points;
   index_.name = path_.filename().string();
   for (const FrameColumn& entry : frame) {
     index_.columns.push_back(entry.column);
   }
+  index_.compress(options_.compression);
   index_.slots.resize(frame.size());
   last_.resize(frame.size());
 }
 
 void VtkhdfWriter::check_same(const std::vector<FrameColumn>& frame, Index points) const {
-  require(points == index_.points, "the frames in '", path_.string(), "' have ", index_.points,
-          " points, this one has ", points);
+  require(points == index_.points || (index_.points_leave && points < index_.points),
+          "the frames in '", path_.string(), "' have ", index_.points, " points, this one has ",
+          points);
   require(frame.size() == index_.columns.size(), "the frames in '", path_.string(), "' have ",
           index_.columns.size(), " arrays, this one has ", frame.size());
   for (std::size_t k = 0; k < frame.size(); ++k) {
@@ -133,11 +163,11 @@ void VtkhdfWriter::check_same(const std::vector<FrameColumn>& frame, Index point
 void VtkhdfWriter::make_room(Index slot) {
   while (slot >= index_.capacity()) {
     const bool first = data_.empty();
-    const Index room = !first                ? index_.capacity()
-                       : planned_frames_ > 0 ? planned_frames_
-                                             : first_room;
-    data_.push_back(FrameData::create(data_path(path_, data_.size()), index_.columns, index_.points,
-                                      room, first));
+    Index room = !first ? index_.capacity() : planned_frames_ > 0 ? planned_frames_ : first_room;
+    if (index_.is_compressed()) {
+      room = std::min(room, most_compressed);
+    }
+    data_.push_back(FrameData::create(data_path(path_, data_.size()), index_, room, first));
     index_.capacities.push_back(room);
     index_.addresses.push_back(data_.back().addresses());
   }
@@ -168,12 +198,27 @@ void require_own_name(const std::filesystem::path& path, const FrameIndex& index
           "' and renamed: give it its name back to go on with it");
 }
 
+void require_same_form(const std::filesystem::path& path, const Points& points,
+                       std::span<const Field> fields, const FrameOptions& options) {
+  const FrameIndex index = read_index(path);
+  FrameLayout wanted;
+  wanted.compression = options.compression;
+  for (const FrameColumn& entry : frame_columns(points, fields, options)) {
+    wanted.columns.push_back(entry.column);
+  }
+  require(wanted.columns == index.columns && wanted.compression == index.compression,
+          "the frames of '", path.string(), "' are written with ", described(index),
+          "; this run asks for ", described(wanted),
+          ": give output.fields, output.precision and output.compression as they were, or another "
+          "output");
+}
+
 std::vector<FrameData> open_data(const std::filesystem::path& path, const FrameIndex& index,
                                  File::Mode mode) {
   std::vector<FrameData> data;
   for (std::size_t file = 0; file < index.capacities.size(); ++file) {
-    data.push_back(FrameData::open(data_path(path, file), index.columns, index.points,
-                                   index.capacities[file], index.addresses[file], mode));
+    data.push_back(FrameData::open(data_path(path, file), index, index.capacities[file],
+                                   index.addresses[file], mode));
   }
   return data;
 }

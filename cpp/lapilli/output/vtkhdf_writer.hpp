@@ -13,18 +13,20 @@ namespace lapilli {
 /// Frames for ParaView: a temporal VTKHDF PolyData in two files that belong together, a small index
 /// `run.vtkhdf` and the numbers `run.vtkhdf.data` (links between them are relative). A frame is
 /// acknowledged when write() returns: it is on the disk, and neither a killed process nor a failing
-/// later write takes it away. Rows are points in order of id. Positions, ids, bodies and volumes
-/// are stored again only when they changed. `merge` makes one self-contained file. Not handled: a
-/// number of points or a list of fields that changes between frames; compression.
+/// later write takes it away. Rows are points in order of id; where points may leave, a frame has
+/// as many rows as points are left. Positions, ids, bodies and volumes are stored again only when
+/// they changed. `merge` makes one self-contained file. Not handled: a number of points that grows,
+/// or a list of fields that changes between frames.
 class VtkhdfWriter {
  public:
   /// Start a new series, removing a former one of that name. `planned_frames` is a hint for the
   /// size of the first data file (0: not known); more frames go on in further data files.
-  explicit VtkhdfWriter(std::filesystem::path path, Index planned_frames = 0);
+  explicit VtkhdfWriter(std::filesystem::path path, Index planned_frames = 0,
+                        FrameOptions options = {});
   /// Go on with a series after its first `frames` frames; later ones are cut off. Throws
   /// std::invalid_argument when it holds fewer.
   static VtkhdfWriter resume(const std::filesystem::path& path, Index frames,
-                             Index planned_frames = 0);
+                             Index planned_frames = 0, FrameOptions options = {});
 
   /// Add one frame. Throws std::invalid_argument when a field does not fit the points or the former
   /// frames, OutputError when the disk fails; the frames before stay readable.
@@ -43,9 +45,11 @@ class VtkhdfWriter {
   FrameEntry store_columns(Index number, double time, const Points& points,
                            const std::vector<FrameColumn>& frame, std::vector<Words>& resting);
   void forget_later_entries();
+  void clear_later_slots(const FrameIndex& before);
 
   std::filesystem::path path_;
   Index planned_frames_ = 0;
+  FrameOptions options_;
   FrameIndex index_;
   std::vector<FrameData> data_;
   std::vector<Words> last_;  // of columns that may rest
@@ -61,6 +65,11 @@ void require_own_name(const std::filesystem::path& path, const FrameIndex& index
 
 /// Throw std::invalid_argument when a file of others is where a series of this name would be.
 void require_replaceable_frames(const std::filesystem::path& path);
+
+/// Throw std::invalid_argument, saying what differs, when a series of frames cannot go on with
+/// these options: what a frame holds and how is the same from its first to its last.
+void require_same_form(const std::filesystem::path& path, const Points& points,
+                       std::span<const Field> fields, const FrameOptions& options);
 
 /// Open the data files of an index.
 std::vector<FrameData> open_data(const std::filesystem::path& path, const FrameIndex& index,

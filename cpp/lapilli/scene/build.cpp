@@ -220,9 +220,13 @@ void couple(const Scene& scene, Points& points, ParticleHeat<Dim>& heat, Dynamic
   }
   const auto shares = coupling_of(scene, &PlasticHeating::share);
   if (!shares.empty()) {
+    heat.expect_plastic();
     physics.push_back(std::make_unique<PlasticHeat>(
         points, dynamics.plastic_work(), heat.carried_temperature(), heat.capacity(), shares,
         [&heat](double joule) { heat.book_plastic(joule); }));
+  }
+  if (scene.dynamics->outside == Outside::remove) {
+    heat.expect_removed();
   }
   const auto coefficients = coupling_of(scene, &ThermalExpansion::coefficient);
   if (!coefficients.empty()) {
@@ -259,6 +263,13 @@ void check_probes(const Scene& scene, Simulation& simulation) {
     });
   }
   mistakes.throw_if_any();
+}
+
+void check_fields(const Scene& scene, Simulation& simulation) {
+  if (scene.output.fields) {
+    in_file(scene, "output.fields",
+            [&] { require_fields(simulation.fields(), frame_options(scene)); });
+  }
 }
 
 template <int Dim>
@@ -308,6 +319,7 @@ std::unique_ptr<Simulation> build_in(const Scene& scene) {
     return std::make_unique<Simulation>(std::move(points), std::move(physics), clock_of(scene));
   });
   check_probes(scene, *simulation);
+  check_fields(scene, *simulation);
   return simulation;
 }
 

@@ -15,6 +15,7 @@
 #include "lapilli/scene/build.hpp"
 #include "lapilli/scene/memory.hpp"
 #include "lapilli/scene/resolve_files.hpp"
+#include "lapilli/scene/run_scene.hpp"
 #include "lapilli/scene/validate.hpp"
 #include "lapilli/scene/validate_heat.hpp"
 
@@ -287,15 +288,19 @@ void measure_steps(Simulation& simulation, CheckReport& report) {
                                            static_cast<double>(report.steps);
 }
 
-// What a run leaves on disk: every field at every frame.
+// What a run leaves on disk, before compression: the fields asked for at every frame.
 double output_of(const Scene& scene, Simulation& simulation) {
-  double numbers = 0.0;
+  const FrameOptions frames = frame_options(scene);
+  double bytes = 0.0;
   for (const Field& field : simulation.fields()) {
-    numbers += field.components == 1 ? 1.0 : field.components <= 3 ? 3.0 : 9.0;
+    if (is_asked_for(field, frames)) {
+      const int numbers = field.components == 1 ? 1 : field.components <= 3 ? 3 : 9;
+      bytes += numbers * (frames.single ? 4.0 : 8.0);
+    }
   }
   const double every = scene.output.every.value_or(scene.time.end);
-  const double frames = 2.0 + (every > 0.0 ? std::floor(scene.time.end / every) : 0.0);
-  return 8.0 * numbers * frames * static_cast<double>(simulation.points().size());
+  const double count = 2.0 + (every > 0.0 ? std::floor(scene.time.end / every) : 0.0);
+  return bytes * count * static_cast<double>(simulation.points().size());
 }
 
 /// A scene that would take long or much is described by its bounds alone.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <sstream>
 
 #include "lapilli/output/checkpoint.hpp"
@@ -42,9 +43,8 @@ InitialState::InitialState(const Scene& scene)
   const std::vector<Index> ids = state_->read_indices("points/id");
   const std::vector<Index> bodies = state_->read_indices("points/body");
   std::vector<Index> by_id(ids.size());
-  for (std::size_t row = 0; row < ids.size(); ++row) {
-    by_id[ids[row]] = static_cast<Index>(row);
-  }
+  std::iota(by_id.begin(), by_id.end(), Index{0});
+  std::ranges::sort(by_id, {}, [&](Index row) { return ids[static_cast<std::size_t>(row)]; });
   require_at(state_->read_numbers("points/position").size() == ids.size() * dimension_, scene,
              "initial_state", "is of a run of another dimension");
   std::string known;

@@ -34,6 +34,12 @@ Scene with_output(Scene scene, const std::string& path, double every) {
   return scene;
 }
 
+FrameOptions frame_options(const Scene& scene) {
+  return {scene.output.fields, scene.output.precision == Precision::single,
+          static_cast<int>(scene.output.compression),
+          scene.dynamics && scene.dynamics->outside == Outside::remove};
+}
+
 std::vector<Probe> probes_of(const Scene& scene) {
   std::vector<Probe> probes;
   for (const ProbeSettings& probe : scene.probes) {
@@ -47,6 +53,7 @@ RunOptions run_options(const Scene& scene) {
   options.output = scene.output.path;
   options.frame_interval = scene.output.every.value_or(0.0);
   options.frame_steps = scene.output.every_steps.value_or(0);
+  options.frames = frame_options(scene);
   options.probes = probes_of(scene);
   options.bodies = static_cast<int>(scene.bodies.size());
   if (scene.output.history_every) {

@@ -77,11 +77,23 @@ struct ProbeSettings {
   }
 };
 
+/// How the numbers of fields are stored in frames.
+enum class Precision { full, single };
+
+template <>
+struct Names<Precision> {
+  static constexpr std::pair<Precision, const char*> values[] = {{Precision::full, "double"},
+                                                                 {Precision::single, "single"}};
+};
+
 /// What a run leaves on disk.
 struct OutputSettings {
-  std::string path;                        // frames for ParaView, ends in .vtkhdf; empty: none
-  std::optional<double> every;             // s between frames; not set: the first and the last
-  std::optional<Index> every_steps;        // steps between frames, instead
+  std::string path;                  // frames for ParaView, ends in .vtkhdf; empty: none
+  std::optional<double> every;       // s between frames; not set: the first and the last
+  std::optional<Index> every_steps;  // steps between frames, instead
+  std::optional<std::vector<std::string>> fields;  // of frames; not set: every field
+  Precision precision = Precision::full;           // of the fields of frames
+  Index compression = 0;                           // of frames; 0: none
   std::optional<double> history_every;     // s between rows of the history; not set: every frame
   bool checkpoint = true;                  // beside the frames, to resume from
   std::optional<double> checkpoint_every;  // s of wall time; not set: with every frame
@@ -94,6 +106,16 @@ struct OutputSettings {
           self.every);
     visit(Key("every_steps").range(1, 1e12).text("steps between frames, instead of a time"),
           self.every_steps);
+    visit(Key("fields").text(
+              "names of the fields that frames hold beside position, id, body and volume; every "
+              "field when not given"),
+          self.fields);
+    visit(Key("precision")
+              .text("of the fields of frames: eight bytes a number, or four with 7 digits; "
+                    "positions and checkpoints always have eight"),
+          self.precision);
+    visit(Key("compression").range(0, 9).text("of frames, without loss: 0 none, 1 fast, 9 small"),
+          self.compression);
     visit(Key("history_every")
               .unit("s")
               .positive()

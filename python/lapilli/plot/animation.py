@@ -74,10 +74,12 @@ def pictures(
     figure.set_dpi(dpi)
     is_moving = bool(style.vectors or style.contours) or not held[0][0].is_plane
     drawn: list[Any] = []
+    counts: list[int] = []
     for number in numbers:
         frames = _at(runs, number)
         views = _views(frames, field, style)
-        if not drawn or is_moving:
+        before, counts = counts, [len(view.rows) for view in views]
+        if counts != before or is_moving:
             _clear(figure, len(axes))
             figure.set_layout_engine("compressed")
             drawn = paint(figure, axes, frames, views, style, limits, held)

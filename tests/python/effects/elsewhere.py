@@ -66,6 +66,7 @@ ELSEWHERE: dict[str, str] = {
     "Dynamics.contacts": "the keys of BodyContact",
     "BodyContact.bodies": "tests/cpp/dynamics/test_contact_groups.cpp",
     "Dynamics.grid_boundaries": "the keys of each grid boundary",
+    "Dynamics.outside": "stops a run, or does not: tests/python/properties/test_removed_points.py",
     "Dynamics.boundaries": "the keys of each load",
     "Newtonian.density": "one number with that of the thermal material, which must agree",
     "PeridynamicFlow.skin": "where families are searched changes nothing: "

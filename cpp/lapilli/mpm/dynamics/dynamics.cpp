@@ -59,6 +59,7 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   if (!data_.settings.gravity_factor.is_constant()) {
     turn_gravity(step);
   }
+  book_waiting(step.size);
   project_to_grid(data_, step.size);
   if (loads_) {
     loads_->add_forces(data_, step.time);
@@ -81,6 +82,9 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   sums.kinetic += velocities.kinetic;
   sums.speed = std::max(sums.speed, velocities.speed);
   stop_if_broken(sums);
+  if (sums.outside) {
+    find_outside();
+  }
 
   flows_.plastic += sums.plastic;
   flows_.expansion += sums.expansion;
@@ -171,7 +175,7 @@ void Dynamics<Dim>::keep_order(double step) {
     data_.order.sort(data_.points);
     data_.fields.place(data_.points);
     drift_ = 0.0;
-  } else if (ordering_ != data_.points.ordering()) {
+  } else if (ordering_ != data_.points.ordering() || !data_.order.covers(data_.points)) {
     data_.order.update(data_.points);
   }
   ordering_ = data_.points.ordering();
@@ -179,7 +183,7 @@ void Dynamics<Dim>::keep_order(double step) {
 
 template <int Dim>
 void Dynamics<Dim>::stop_if_broken(const PointSums& sums) const {
-  if (sums.outside) {
+  if (sums.outside && data_.settings.outside == Outside::stop) {
     require_inside(data_.grid, data_.points);
   }
   if (sums.least_volume > 0.0) {

@@ -28,12 +28,13 @@ class Dynamics final : public Physics, public HasSurface, public Warnings, publi
   void refresh_output() override;
   std::vector<Field> fields() override;
   std::vector<Balance> balances() const override;
+  void release(std::span<const Index> rows) override;
   SurfaceView surface() const override;
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
-  /// Settings that make the answer depend on the numerics.
-  std::vector<std::string> warnings() const override { return lapilli::warnings(data_.settings); }
+  /// Settings that make the answer depend on the numerics, and points that are gone.
+  std::vector<std::string> warnings() const override;
   std::vector<std::string> modelled() const override;
 
   // Handles for other physics. Asking for one allocates it; call before the first step.
@@ -68,6 +69,13 @@ class Dynamics final : public Physics, public HasSurface, public Warnings, publi
     Vec3 gravity = Vec3::Zero(), walls = Vec3::Zero(), damped = Vec3::Zero();  // N s, given
   };
 
+  /// What points that left the grid took along since the start.
+  struct Removed {
+    double points = 0.0, mass = 0.0;  // kg
+    double energy = 0.0;              // J
+    Vec3 momentum = Vec3::Zero();     // N s
+  };
+
   void start_affine(const DynamicsProblem<Dim>& problem);
   void keep_order(double step);
   void turn_gravity(const Step& step);
@@ -75,6 +83,13 @@ class Dynamics final : public Physics, public HasSurface, public Warnings, publi
   double local_damping(double time) const;
   void carry_points();
   void stop_if_broken(const PointSums& sums) const;
+  void find_outside();
+  void book_waiting(double step);
+  void save_removed(Archive& archive) const;
+  void load_removed(const Archive& archive);
+  Balance energy_balance() const;
+  double kinetic_energy_of(Index row) const;
+  double elastic_energy_of(Index row) const;
   void watch_energy(const PointSums& sums);
   double energy_gained() const;
   double shaking_step() const;
@@ -89,6 +104,7 @@ class Dynamics final : public Physics, public HasSurface, public Warnings, publi
   std::unique_ptr<BodyContacts<Dim>> contacts_;  // null where all bodies are one
   std::vector<std::string> described_contacts_;
   Flows flows_;
+  Removed removed_;
   EnergyWatch watch_;
   double total_mass_ = 0.0;
   double initial_energy_ = 0.0, kinetic_ = 0.0;  // J

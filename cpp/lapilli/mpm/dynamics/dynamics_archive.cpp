@@ -57,6 +57,7 @@ void Dynamics<Dim>::save(Archive& archive) const {
   archive.write("dynamics/gravity", std::span<const double>(data_.gravity.data(), 3));
   archive.write("dynamics/gravity_changes", flows_.gravity_changes);
   archive.write("dynamics/impulse/initial", std::span<const double>(initial_momentum_.data(), 3));
+  save_removed(archive);
 }
 
 template <int Dim>
@@ -122,6 +123,7 @@ void Dynamics<Dim>::load(const Archive& archive) {
   archive.read("dynamics/gravity", std::span<double>(data_.gravity.data(), 3));
   flows_.gravity_changes = archive.read_number("dynamics/gravity_changes");
   archive.read("dynamics/impulse/initial", std::span<double>(initial_momentum_.data(), 3));
+  load_removed(archive);
   ordering_ = data_.points.ordering();
 }
 

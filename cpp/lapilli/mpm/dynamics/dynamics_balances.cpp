@@ -39,24 +39,27 @@ Vec<Dim> second_moments(const DynamicsData<Dim>& data, Index row) {
 
 }  // namespace
 
-/// At the start: the affine matrix belongs to the present places of the points.
+/// The affine matrix belongs to the place of the point at the start of the step.
 template <int Dim>
-double Dynamics<Dim>::kinetic_energy() const {
-  return parallel_sum(data_.points.size(), 0.0, [&](Index row) {
-    double square = Eigen::Map<const Vec<Dim>>(data_.velocity.data() + row * Dim).squaredNorm();
-    if (data_.affine) {
-      const Vec<Dim> moments = second_moments(data_, row);
-      const double* matrix = data_.affine->data() + row * Dim * Dim;
-      for (int k = 0; k < Dim * Dim; ++k) {
-        const double moment = moments[k % Dim];
-        if (moment > 0.0) {
-          square += matrix[k] * matrix[k] *
-                    (data_.settings.transfer == VelocityTransfer::apic ? 1.0 / moment : moment);
-        }
+double Dynamics<Dim>::kinetic_energy_of(Index row) const {
+  double square = Eigen::Map<const Vec<Dim>>(data_.velocity.data() + row * Dim).squaredNorm();
+  if (data_.affine) {
+    const Vec<Dim> moments = second_moments(data_, row);
+    const double* matrix = data_.affine->data() + row * Dim * Dim;
+    for (int k = 0; k < Dim * Dim; ++k) {
+      const double moment = moments[k % Dim];
+      if (moment > 0.0) {
+        square += matrix[k] * matrix[k] *
+                  (data_.settings.transfer == VelocityTransfer::apic ? 1.0 / moment : moment);
       }
     }
-    return 0.5 * data_.mass[row] * square;
-  });
+  }
+  return 0.5 * data_.mass[row] * square;
+}
+
+template <int Dim>
+double Dynamics<Dim>::kinetic_energy() const {
+  return parallel_sum(data_.points.size(), 0.0, [&](Index row) { return kinetic_energy_of(row); });
 }
 
 template <int Dim>
@@ -68,11 +71,14 @@ double Dynamics<Dim>::potential_energy() const {
 }
 
 template <int Dim>
+double Dynamics<Dim>::elastic_energy_of(Index row) const {
+  return data_.points.volume()[row] *
+         elastic_energy(data_.materials[data_.points.body()[row]], stress_of(data_, row));
+}
+
+template <int Dim>
 double Dynamics<Dim>::elastic_energy_stored() const {
-  return parallel_sum(data_.points.size(), 0.0, [&](Index row) {
-    return data_.points.volume()[row] *
-           elastic_energy(data_.materials[data_.points.body()[row]], stress_of(data_, row));
-  });
+  return parallel_sum(data_.points.size(), 0.0, [&](Index row) { return elastic_energy_of(row); });
 }
 
 template <int Dim>
@@ -110,11 +116,10 @@ Vec3 Dynamics<Dim>::angular_momentum() const {
 }
 
 template <int Dim>
-std::vector<Balance> Dynamics<Dim>::balances() const {
+Balance Dynamics<Dim>::energy_balance() const {
   const double elastic = elastic_energy_stored();
   const double stored = kinetic_ + potential_energy() + elastic;
-  std::vector<Balance> all;
-  all.push_back({"energy",
+  Balance energy{"energy",
                  "J",
                  initial_energy_,
                  stored,
@@ -123,26 +128,35 @@ std::vector<Balance> Dynamics<Dim>::balances() const {
                   {"wall impact", -flows_.impact},
                   {"transfer", -flows_.transfer},
                   {"strain transfer", -flows_.strain}},
-                 kinetic_ + elastic});
+                 kinetic_ + elastic};
+  if (data_.settings.outside == Outside::remove) {
+    energy.entries.push_back({"removed points", -removed_.energy});
+  }
   if (data_.settings.local_damping > 0.0) {
-    all.back().entries.push_back({"damping", -flows_.damping});
+    energy.entries.push_back({"damping", -flows_.damping});
   }
   if (!data_.settings.gravity_factor.is_constant()) {
-    all.back().entries.push_back({"changes of gravity", flows_.gravity_changes});
+    energy.entries.push_back({"changes of gravity", flows_.gravity_changes});
   }
   if (data_.free_strain) {
-    all.back().entries.push_back({"expansion", flows_.expansion});
+    energy.entries.push_back({"expansion", flows_.expansion});
   }
   if (loads_) {
-    std::ranges::copy(loads_->work_entries(), std::back_inserter(all.back().entries));
+    std::ranges::copy(loads_->work_entries(), std::back_inserter(energy.entries));
   }
   if (obstacles_) {
-    std::ranges::copy(obstacles_->work_entries(), std::back_inserter(all.back().entries));
+    std::ranges::copy(obstacles_->work_entries(), std::back_inserter(energy.entries));
   }
   if (contacts_) {
-    all.back().entries.push_back({"contact friction", contacts_->friction()});
-    all.back().entries.push_back({"contact impact", contacts_->impact()});
+    energy.entries.push_back({"contact friction", contacts_->friction()});
+    energy.entries.push_back({"contact impact", contacts_->impact()});
   }
+  return energy;
+}
+
+template <int Dim>
+std::vector<Balance> Dynamics<Dim>::balances() const {
+  std::vector<Balance> all = {energy_balance()};
   const Vec3 now = linear_momentum();
   for (int axis = 0; axis < Dim; ++axis) {
     all.push_back({momentum_names[axis],
@@ -151,6 +165,9 @@ std::vector<Balance> Dynamics<Dim>::balances() const {
                    now[axis],
                    {{"gravity", flows_.gravity[axis]}, {"walls", flows_.walls[axis]}},
                    total_mass_ * speed_});
+    if (data_.settings.outside == Outside::remove) {
+      all.back().entries.push_back({"removed points", -removed_.momentum[axis]});
+    }
     if (data_.settings.local_damping > 0.0) {
       all.back().entries.push_back({"damping", flows_.damped[axis]});
     }
@@ -184,6 +201,10 @@ std::vector<std::pair<std::string, double>> Dynamics<Dim>::diagnostics() const {
                                                   {"load work", loads_ ? loads_->work() : 0.0}};
   if (data_.settings.local_damping > 0.0) {
     all.emplace_back("damping loss", flows_.damping);
+  }
+  if (data_.settings.outside == Outside::remove) {
+    all.emplace_back("removed points", removed_.points);
+    all.emplace_back("removed mass", removed_.mass);
   }
   if (loads_) {
     all.emplace_back("area ratio", loads_->area_ratio());
@@ -238,14 +259,20 @@ std::vector<Field> Dynamics<Dim>::fields() {
 
 template double Dynamics<2>::kinetic_energy() const;
 template double Dynamics<3>::kinetic_energy() const;
+template double Dynamics<2>::kinetic_energy_of(Index) const;
+template double Dynamics<3>::kinetic_energy_of(Index) const;
 template double Dynamics<2>::potential_energy() const;
 template double Dynamics<3>::potential_energy() const;
+template double Dynamics<2>::elastic_energy_of(Index) const;
+template double Dynamics<3>::elastic_energy_of(Index) const;
 template double Dynamics<2>::elastic_energy_stored() const;
 template double Dynamics<3>::elastic_energy_stored() const;
 template Vec3 Dynamics<2>::linear_momentum() const;
 template Vec3 Dynamics<3>::linear_momentum() const;
 template Vec3 Dynamics<2>::angular_momentum() const;
 template Vec3 Dynamics<3>::angular_momentum() const;
+template Balance Dynamics<2>::energy_balance() const;
+template Balance Dynamics<3>::energy_balance() const;
 template std::vector<Balance> Dynamics<2>::balances() const;
 template std::vector<Balance> Dynamics<3>::balances() const;
 template std::vector<std::pair<std::string, double>> Dynamics<2>::diagnostics() const;

@@ -43,6 +43,18 @@ struct Names<StressUpdate> {
                                                                     {StressUpdate::musl, "musl"}};
 };
 
+/// What becomes of a point that leaves the grid.
+enum class Outside {
+  stop,   // the run ends with an error
+  remove  // the point is taken out, with all that it carries
+};
+
+template <>
+struct Names<Outside> {
+  static constexpr std::pair<Outside, const char*> values[] = {{Outside::stop, "stop"},
+                                                               {Outside::remove, "remove"}};
+};
+
 /// A face of the grid.
 enum class GridFace { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };
 
@@ -131,7 +143,7 @@ struct Traction {
 using DynamicsBoundary = std::variant<Pressure, Traction>;
 
 /// Explicit dynamics on material points: the section [dynamics] of a scene. Faces of the grid
-/// without a wall are open: a point that passes one stops the run.
+/// without a wall are open: a point that passes one stops the run, or is removed.
 struct DynamicsSettings {
   std::vector<double> gravity;          // m/s^2, one number an axis; empty: none
   Value gravity_factor = 1.0;           // multiplies it: a number or a table in time
@@ -144,6 +156,7 @@ struct DynamicsSettings {
   std::optional<bool> b_bar;  // the dilatation of a cell is the mean over its points
   double courant = 0.5;       // automatic step over h / (wave speed + point speed), in (0, 1]
   std::vector<GridBoundary> grid_boundaries;
+  Outside outside = Outside::stop;
   std::vector<Obstacle> obstacles;
   std::vector<BodyContact> contacts;
   std::vector<DynamicsBoundary> boundaries;
@@ -186,6 +199,10 @@ struct DynamicsSettings {
           self.courant);
     visit(Key("grid_boundaries").text("faces of the grid that hold the material; others are open"),
           self.grid_boundaries);
+    visit(
+        Key("outside").text("what becomes of points that leave through open faces: the run stops, "
+                            "or they are removed with all that they carry"),
+        self.outside);
     visit(Key("obstacles").text("rigid shapes that material cannot enter, at rest or moving"),
           self.obstacles);
     visit(Key("contacts").text("what pairs of bodies do where they meet; others: see the manual"),

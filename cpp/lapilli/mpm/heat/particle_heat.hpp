@@ -35,6 +35,7 @@ class ParticleHeat final : public Physics, public HasSurface, public SaysModel {
   void refresh_output() override;
   std::vector<Field> fields() override;
   std::vector<Balance> balances() const override;
+  void release(std::span<const Index> rows) override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
   std::vector<std::string> modelled() const override;
   SurfaceView surface() const override { return laws_.surface(); }
@@ -49,6 +50,9 @@ class ParticleHeat final : public Physics, public HasSurface, public SaysModel {
   void follow(SubCycle::Motion motion);
   /// Null where heat takes the steps of the clock.
   const SubCycle* sub_cycle() const { return sub_cycle_.get(); }
+  /// Have an entry of the balance, from the start, for heat of plastic work, for points that leave.
+  void expect_plastic() { books_plastic_ = true; }
+  void expect_removed() { books_removed_ = true; }
   /// Book heat that another physics added to the carried temperatures, J.
   void book_plastic(double heat) {
     plastic_ += heat;
@@ -110,6 +114,8 @@ class ParticleHeat final : public Physics, public HasSurface, public SaysModel {
   Index limited_ordering_ = -1;  // ordering that limit_ was bounded for
   double initial_ = 0.0;         // J
   double plastic_ = 0.0;         // J, from plastic work
+  double removed_ = 0.0;         // J, of points that were removed
+  bool books_plastic_ = false, books_removed_ = false;
   double area_ = 0.0, negative_share_ = 0.0;
 
   std::unique_ptr<PointArray> output_temperature_, output_flux_;

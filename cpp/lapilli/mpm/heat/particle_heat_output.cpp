@@ -92,8 +92,11 @@ std::vector<Balance> ParticleHeat<Dim>::balances() const {
   for (std::size_t k = 0; ahead && k < balance.entries.size(); ++k) {
     balance.entries[k].in += sub_cycle_->ahead() * sub_cycle_->supply()[k];
   }
-  if (plastic_ != 0.0) {
+  if (books_plastic_) {
     balance.entries.push_back({"plastic work", plastic_});
+  }
+  if (books_removed_) {
+    balance.entries.push_back({"removed points", -removed_});
   }
   if (ahead) {
     add_stored_heat(capacity_.values(), temperature_now(), balance);
@@ -101,6 +104,16 @@ std::vector<Balance> ParticleHeat<Dim>::balances() const {
     add_stored_heat(capacity_.values(), temperature_.values(), balance);
   }
   return {balance};
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::release(std::span<const Index> rows) {
+  for (const Index row : rows) {
+    removed_ += capacity_[row] * temperature_[row];
+  }
+  if (sub_cycle_) {
+    sub_cycle_->stand_still();
+  }
 }
 
 template <int Dim>
@@ -130,6 +143,9 @@ void ParticleHeat<Dim>::save(Archive& archive) const {
   archive.write("heat/initial", initial_);
   archive.write("heat/growth", growth_);
   archive.write("heat/plastic", plastic_);
+  if (books_removed_) {
+    archive.write("heat/removed", removed_);
+  }
   archive.write("heat/source", source_ ? source_->booked() : 0.0);
   // Points that others have sorted since want another bound.
   const double bounded = limited_ordering_ == points_.ordering() ? 1.0 : 0.0;
@@ -158,6 +174,9 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
   }
   initial_ = archive.read_number("heat/initial");
   plastic_ = archive.read_number("heat/plastic");
+  if (books_removed_) {
+    removed_ = archive.read_number("heat/removed");
+  }
   growth_ = archive.read_number("heat/growth");
   range_ = plastic_ != 0.0 ? TemperatureRange{} : range_;
   if (source_) {
@@ -183,6 +202,7 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
   template void ParticleHeat<Dim>::refresh_output();                                           \
   template std::vector<Field> ParticleHeat<Dim>::fields();                                     \
   template std::vector<Balance> ParticleHeat<Dim>::balances() const;                           \
+  template void ParticleHeat<Dim>::release(std::span<const Index>);                            \
   template std::vector<std::pair<std::string, double>> ParticleHeat<Dim>::diagnostics() const; \
   template void ParticleHeat<Dim>::save(Archive& archive) const;                               \
   template void ParticleHeat<Dim>::load(const Archive& archive);

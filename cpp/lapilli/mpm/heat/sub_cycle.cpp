@@ -72,6 +72,11 @@ void SubCycle::after(const PointArray& temperature, std::span<const double> supp
   std::ranges::transform(supply_, supplied, supply_.begin(), std::plus<>());
 }
 
+void SubCycle::stand_still() {
+  std::ranges::fill(change_.values(), 0.0);
+  std::ranges::fill(supply_, 0.0);
+}
+
 double SubCycle::mean_steps() const {
   return own_steps_ == 0 ? 1.0
                          : static_cast<double>(clock_steps_) / static_cast<double>(own_steps_);

@@ -49,6 +49,9 @@ class SubCycle {
   void before(const PointArray& temperature, std::span<const double> supplied);
   void after(const PointArray& temperature, std::span<const double> supplied, double exchange);
 
+  /// What is ahead of heat stops until its next step: some of the points it was for have left.
+  void stand_still();
+
   /// Time since heat's last step over the time that its changes took.
   double ahead() const { return pending_ / span_; }
   /// What heat changed of points, K, and supplied, J, over that time.

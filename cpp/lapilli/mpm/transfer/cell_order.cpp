@@ -32,7 +32,7 @@ void CellOrder<Dim>::update(Points& points) {
 
 template <int Dim>
 bool CellOrder<Dim>::still_valid(const Points& points) const {
-  if (begin_.back() != points.size()) {
+  if (!covers(points)) {
     return false;
   }
   // Bounds repeat with the coordinates; twelve of them hold whole points in any dimension.

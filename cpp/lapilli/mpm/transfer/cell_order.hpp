@@ -28,6 +28,9 @@ class CellOrder {
   /// Sort in any case; every point must lie inside the grid.
   void sort(Points& points);
 
+  /// Whether no point has been removed since the last sort.
+  bool covers(const Points& points) const { return begin_.back() == points.size(); }
+
   Index strip_count() const { return static_cast<Index>(begin_.size()) - 1; }
 
   /// Call body(begin, end), or body(begin, end, strip), for the rows of every strip: even strips in
