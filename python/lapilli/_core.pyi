@@ -2109,15 +2109,23 @@ class Obstacle:
     adhesion : float, Pa, default 0.0
         shear it bears beyond friction; at least 0 (Pa)
     velocity : collections.abc.Sequence[float], m/s, default ()
-        one number an axis; empty: none
+        one number an axis, with a mass at the start; empty: none
     revolutions_per_second : float, 1/s, default 0.0
-        positive counter-clockwise
+        positive counter-clockwise, with a mass at the start
     center : collections.abc.Sequence[float], m, default ()
-        centre of the turning; empty: the origin
+        centre of the turning; empty: the origin, with a mass the centre of the shape
     axis : collections.abc.Sequence[float], default (0.0, 0.0, 1.0)
         direction of the axis, in 3D
     factor : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], default 1.0
         multiplies the motion: a number or a table in time
+    mass : float | None, kg, default None
+        of one that its weight and the forces on it move, in 2D per metre of depth; absent: its motion is prescribed; above 0 (kg)
+    inertia : collections.abc.Sequence[float], kg m^2, default ()
+        about its centre, one number in 2D, about x, y, z in 3D; empty: of the shape at one density
+    force : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], N, default ()
+        on one with a mass, besides weight and contacts, one value an axis; empty: none
+    held : collections.abc.Sequence[str], default ()
+        of one with a mass: "x", "y", "z", "rotation" that go on as at the start
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
     __signature__: typing.ClassVar[inspect.Signature]
@@ -2125,7 +2133,7 @@ class Obstacle:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, name: str = ..., shape: Shape, contact: typing.Literal['frictional', 'slip', 'no_slip'] = ..., friction: float = ..., adhesion: float = ..., velocity: collections.abc.Sequence[float] = ..., revolutions_per_second: float = ..., center: collections.abc.Sequence[float] = ..., axis: collections.abc.Sequence[float] = ..., factor: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ...) -> None:
+    def __init__(self, *, name: str = ..., shape: Shape, contact: typing.Literal['frictional', 'slip', 'no_slip'] = ..., friction: float = ..., adhesion: float = ..., velocity: collections.abc.Sequence[float] = ..., revolutions_per_second: float = ..., center: collections.abc.Sequence[float] = ..., axis: collections.abc.Sequence[float] = ..., factor: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., mass: float | None = ..., inertia: collections.abc.Sequence[float] = ..., force: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., held: collections.abc.Sequence[str] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -2152,7 +2160,7 @@ class Obstacle:
     @property
     def center(self) -> collections.abc.Sequence[float]:
         """
-        centre of the turning; empty: the origin, m
+        centre of the turning; empty: the origin, with a mass the centre of the shape, m
         """
     @center.setter
     def center(self, value: collections.abc.Sequence[float]) -> None:
@@ -2174,12 +2182,44 @@ class Obstacle:
     def factor(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]) -> None:
         ...
     @property
+    def force(self) -> collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]:
+        """
+        on one with a mass, besides weight and contacts, one value an axis; empty: none, N
+        """
+    @force.setter
+    def force(self, value: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]) -> None:
+        ...
+    @property
     def friction(self) -> float:
         """
         coefficient of Coulomb friction, of frictional
         """
     @friction.setter
     def friction(self, value: float) -> None:
+        ...
+    @property
+    def held(self) -> collections.abc.Sequence[str]:
+        """
+        of one with a mass: "x", "y", "z", "rotation" that go on as at the start
+        """
+    @held.setter
+    def held(self, value: collections.abc.Sequence[str]) -> None:
+        ...
+    @property
+    def inertia(self) -> collections.abc.Sequence[float]:
+        """
+        about its centre, one number in 2D, about x, y, z in 3D; empty: of the shape at one density, kg m^2
+        """
+    @inertia.setter
+    def inertia(self, value: collections.abc.Sequence[float]) -> None:
+        ...
+    @property
+    def mass(self) -> float | None:
+        """
+        of one that its weight and the forces on it move, in 2D per metre of depth; absent: its motion is prescribed, kg
+        """
+    @mass.setter
+    def mass(self, value: float | None) -> None:
         ...
     @property
     def name(self) -> str:
@@ -2192,7 +2232,7 @@ class Obstacle:
     @property
     def revolutions_per_second(self) -> float:
         """
-        positive counter-clockwise, 1/s
+        positive counter-clockwise, with a mass at the start, 1/s
         """
     @revolutions_per_second.setter
     def revolutions_per_second(self, value: float) -> None:
@@ -2208,7 +2248,7 @@ class Obstacle:
     @property
     def velocity(self) -> collections.abc.Sequence[float]:
         """
-        one number an axis; empty: none, m/s
+        one number an axis, with a mass at the start; empty: none, m/s
         """
     @velocity.setter
     def velocity(self, value: collections.abc.Sequence[float]) -> None:

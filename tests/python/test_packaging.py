@@ -9,9 +9,10 @@ ROOT = Path(__file__).parents[2]
 LICENCES = ROOT / "packaging" / "licences"
 # Libraries as CMake names them, and the text of each.
 TEXTS = {
-    "Eigen 3.4": "eigen.txt",
+    "Eigen": "eigen.txt",
     "HDF5": "hdf5.txt",
-    "libpng 1.6": "libpng.txt",
+    "libpng": "libpng.txt",
+    "zlib": "zlib.txt",
     "toml++": "tomlplusplus.txt",
     "CLI11": "cli11.txt",
     "hdf5": "hdf5.txt",
@@ -30,7 +31,7 @@ def libraries() -> set[str]:
     archives = re.search(r"foreach\(archive ([^)]+)\)", bundled)
     assert archives
     return {
-        *re.findall(r'lapilli_missing\("?([^")]+?)"? lib', text),
+        *re.findall(r'lapilli_missing\("?([^")]+?)(?: [\d.]+)?"? (?:lib|zlib)', text),
         *archives[1].split(),
         "pybind11",
         "OpenMP",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/cell_list.hpp"
@@ -21,6 +22,24 @@ Vec3 slope(const FluidDistance& distance, const Vec3& at, int dimension, double 
     gradient[d] = (distance(ahead) - distance(behind)) / (2.0 * step);
   }
   return gradient;
+}
+
+/// The direction from the middle of a wall, where there is no slope, along which the fluid is
+/// nearest: away from it, of length 1.
+Vec3 away_from_fluid(const FluidDistance& distance, const Vec3& at, int dimension, double spacing) {
+  Vec3 nearest = Vec3::Zero();
+  double least = std::numeric_limits<double>::infinity();
+  for (int d = 0; d < dimension; ++d) {
+    for (const double sign : {1.0, -1.0}) {
+      const Vec3 way = sign * Vec3::Unit(d);
+      const double depth = distance(at + spacing * way);
+      if (depth < least) {
+        least = depth;
+        nearest = -way;
+      }
+    }
+  }
+  return nearest;
 }
 
 }  // namespace
@@ -64,10 +83,11 @@ WallSurface::WallSurface(Points& points, std::vector<Wall> walls, const FluidDis
             "' overlaps the fluid body: its point at ", text_of(at), " lies ", -depth,
             " m inside the fluid region");
     depth_[point] = std::max(0.0, depth);
-    const Vec3 gradient = slope(distance, at, points.dimension(), spacing);
+    Vec3 gradient = slope(distance, at, points.dimension(), spacing);
+    if (gradient.norm() <= 0.05) {
+      gradient = away_from_fluid(distance, at, points.dimension(), spacing);
+    }
     const double length = gradient.norm();
-    require(length > 0.05, "the distance from the fluid region has no slope at ", text_of(at),
-            " in wall '", walls_[k].settings.name, "'");
     for (int d = 0; d < points.dimension(); ++d) {
       normal_[point * points.dimension() + d] = -gradient[d] / length;
     }

@@ -80,6 +80,16 @@ Cube<Dim> around(const Piece<Dim>& piece) {
   return {0.5 * (low + high) - Vec<Dim>::Constant(0.5 * side), side};
 }
 
+/// Whether corners and middle of a piece lie at least so deep in a region.
+template <int Dim>
+bool is_inside(const Piece<Dim>& piece, const LevelSet& outside, double least) {
+  const auto is_in = [&](const Vec<Dim>& place) {
+    return -outside.distance(in_space<Dim>(place)) >= least;
+  };
+  return is_in(SurfacePiece<Dim>{piece, Vec<Dim>::Zero()}.middle()) &&
+         std::ranges::all_of(piece, is_in);
+}
+
 /// Add the parts of a piece in one region to `kept`. `outside`: the region, negative inside;
 /// `size` (m): of the piece at first.
 template <int Dim>
@@ -88,16 +98,13 @@ void trim_finely(const Piece<Dim>& piece, const LevelSet& outside, double size, 
   using State = typename PlaneFit<Dim>::State;
   constexpr double flat = 1e-9, smooth = 1e-3;  // of the size: how near planes are
   const SurfacePiece<Dim> whole{piece, Vec<Dim>::Zero()};
-  const auto depth = [&](const Piece<Dim>& part) {
-    return -outside.distance(in_space<Dim>(SurfacePiece<Dim>{part, Vec<Dim>::Zero()}.middle()));
-  };
   double radius = 0.0;
   for (const Vec<Dim>& corner : piece) {
     radius = std::max(radius, (corner - whole.middle()).norm());
   }
   // Without a normal it is no distance: what lies above a flat piece may be twice as far.
   const double reach = outside.normal ? radius : 2.0 * radius;
-  const double at_middle = depth(piece);
+  const double at_middle = -outside.distance(in_space<Dim>(whole.middle()));
   if (at_middle > reach) {
     kept.push_back(piece);
     return;
@@ -118,12 +125,8 @@ void trim_finely(const Piece<Dim>& piece, const LevelSet& outside, double size, 
       const std::vector<Piece<Dim>> parts = clip_to_planes<Dim>(piece, fit, slack);
       // A face that no sample was nearest to would have cut them.
       const double least = -10.0 * flat * radius - slack;
-      const auto is_in = [&](const Piece<Dim>& part) {
-        return depth(part) >= least && std::ranges::all_of(part, [&](const Vec<Dim>& corner) {
-                 return -outside.distance(in_space<Dim>(corner)) >= least;
-               });
-      };
-      if (std::ranges::all_of(parts, is_in)) {
+      if (std::ranges::all_of(
+              parts, [&](const auto& part) { return is_inside<Dim>(part, outside, least); })) {
         kept.insert(kept.end(), parts.begin(), parts.end());
         return;
       }

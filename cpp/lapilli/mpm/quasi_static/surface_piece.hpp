@@ -5,20 +5,13 @@
 #include <vector>
 
 #include "lapilli/mpm/quasi_static/surface.hpp"
+#include "lapilli/mpm/surface/in_space.hpp"
 
 namespace lapilli {
 
 /// Ends of a straight piece of a surface in the plane, corners of a flat convex one in space.
 template <int Dim>
 using Piece = std::vector<Vec<Dim>>;
-
-/// A place with zeros for the axes it has not.
-template <int Dim>
-Vec3 in_space(const Vec<Dim>& place) {
-  Vec3 at = Vec3::Zero();
-  at.head<Dim>() = place;
-  return at;
-}
 
 /// Share of the way from `a` to `b` where a function that changes sign is zero (Illinois method).
 template <class Function>

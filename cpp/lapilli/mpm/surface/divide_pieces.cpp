@@ -3,20 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/mpm/surface/in_space.hpp"
+
 namespace lapilli {
 namespace {
 
 // Lengths in cells.
 constexpr double gap = 2e-3;  // bodies less apart touch
 constexpr double on_wall_by = 1e-6;
-constexpr double slack = 0.35;  // of a region that ends along the surface
-
-template <int Dim>
-Vec3 in_space(const Vec<Dim>& place) {
-  Vec3 at = Vec3::Zero();
-  at.template head<Dim>() = place;
-  return at;
-}
+constexpr double slack = 0.35;    // of a region that ends along the surface
+constexpr double on_edge = 1e-6;  // beyond its edge a place counts as in a region
 
 }  // namespace
 
@@ -74,7 +70,7 @@ int SurfaceDivision<Dim>::label_at(const Vec<Dim>& at, const Vec<Dim>& normal, b
     }
   }
   for (std::size_t law = 0; law < regions_.size(); ++law) {
-    if (depth_in(law, at, normal) >= 0.0) {
+    if (depth_in(law, at, normal, on_edge) >= 0.0) {
       return static_cast<int>(law);
     }
   }
@@ -82,8 +78,8 @@ int SurfaceDivision<Dim>::label_at(const Vec<Dim>& at, const Vec<Dim>& normal, b
 }
 
 template <int Dim>
-double SurfaceDivision<Dim>::depth_in(std::size_t law, const Vec<Dim>& at,
-                                      const Vec<Dim>& normal) const {
+double SurfaceDivision<Dim>::depth_in(std::size_t law, const Vec<Dim>& at, const Vec<Dim>& normal,
+                                      double margin) const {
   const double h = grid_.cell_size();
   const Shape* region = regions_[law];
   if (region == nullptr) {
@@ -95,7 +91,7 @@ double SurfaceDivision<Dim>::depth_in(std::size_t law, const Vec<Dim>& at,
     return -from;
   }
   const double across = gradient(*region, place).dot(in_space<Dim>(normal));
-  return h * std::max(1e-6, slack * std::pow(std::max(across, 0.0), 8)) - from;
+  return h * std::max(margin, slack * std::pow(std::max(across, 0.0), 8)) - from;
 }
 
 /// At its corners, its middle and half way between these and each other.

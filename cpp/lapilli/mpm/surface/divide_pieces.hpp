@@ -63,7 +63,7 @@ class SurfaceDivision {
       SurfacePiece<Dim> part = piece;
       for (const double sign : {1.0, -1.0}) {
         const auto depth = [&](const Vec<Dim>& at) {
-          return sign * depth_in(law, at, piece.normal);
+          return sign * depth_in(law, at, piece.normal, 0.0);
         };
         auto corners = trim_straight<Dim>(piece.corners, depth, 0.0);
         (sign > 0.0 ? part : piece).corners = std::move(corners);
@@ -79,8 +79,9 @@ class SurfaceDivision {
   }
 
   bool has_one_label(const SurfacePiece<Dim>& piece, bool near);
-  /// How far a place lies in the region of a law, m; negative outside.
-  double depth_in(std::size_t law, const Vec<Dim>& at, const Vec<Dim>& normal) const;
+  /// How far a place lies in the region of a law, m; negative outside. `margin` (cells): how far
+  /// beyond its edge a region still counts.
+  double depth_in(std::size_t law, const Vec<Dim>& at, const Vec<Dim>& normal, double margin) const;
   bool near_others(const SurfacePiece<Dim>& piece) const;
   int label_at(const Vec<Dim>& at, const Vec<Dim>& normal, bool near);
   bool on_wall(const Vec<Dim>& at, const Vec<Dim>& normal) const;

@@ -5,15 +5,10 @@
 #include <cmath>
 #include <optional>
 
+#include "lapilli/mpm/surface/in_space.hpp"
+
 namespace lapilli {
 namespace {
-
-template <int Dim>
-Vec3 in_space(const Vec<Dim>& place) {
-  Vec3 at = Vec3::Zero();
-  at.template head<Dim>() = place;
-  return at;
-}
 
 struct OfShape {
   const Shape& shape;
@@ -82,7 +77,7 @@ class Fitter {
     return found;
   }
 
-  /// What is left where planes do not tell the shape: one that parts the corners as it does.
+  /// Where planes do not tell the shape: one that parts the corners as it does.
   void settle(Fit& found) const {
     if (found.planes.empty()) {
       found.state = depth_[0] < 0.0 ? Fit::State::full : Fit::State::empty;
@@ -158,8 +153,7 @@ class Fitter {
   /// rest is a chord between the cube's edges.
   void follow_curve(Fit& found) const {
     const auto corners_beyond = [&](double sign) {
-      return std::any_of(depth_.begin() + 1, depth_.end(),
-                         [&](double d) { return sign * d > 0.0; });
+      return std::any_of(depth_.begin() + 1, depth_.end(), [&](double d) { return sign * d > 0; });
     };
     const bool inside = corners_beyond(-1.0);
     if (!(inside && corners_beyond(1.0))) {
