@@ -113,6 +113,10 @@ void trim_finely(const Piece<Dim>& piece, const LevelSet& outside, double size, 
     return;
   }
   bool is_curve = false;
+  if (!outside.normal && is_inside<Dim>(piece, outside, -slack)) {
+    kept.push_back(piece);
+    return;
+  }
   if (outside.normal) {
     const PlaneFit<Dim> fit = fit_planes<Dim>(outside, around<Dim>(piece), flat * radius, false);
     if (fit.state == State::full || fit.state == State::empty) {
@@ -160,7 +164,7 @@ std::vector<Piece<Dim>> trim_to(Trims regions, const Piece<Dim>& piece, double s
     std::vector<Piece<Dim>> kept;
     for (const Piece<Dim>& one : pieces) {
       const double size = around<Dim>(one).side;
-      trim_finely<Dim>(one, outside, size, slack, region.normal ? 6 : 3, kept);
+      trim_finely<Dim>(one, outside, size, slack, region.normal ? 6 : 2, kept);
     }
     pieces = std::move(kept);
   }
