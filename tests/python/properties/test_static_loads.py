@@ -1,6 +1,6 @@
 """Loads on parts of faces in space and on shapes put together: they arrive whole in any pose.
 
-Flat faces are exact but for corners where a cell shows too little of them: 5e-4 at most in 30
+Flat faces are exact but for corners where a cell shows too little of them: 2e-3 at most in 30
 scenes, 1e-8 in most; round edges of parts of faces are within a thousandth of a cell.
 """
 
@@ -81,7 +81,7 @@ def test_a_load_on_a_patch_in_space_arrives_whole(seed: int) -> None:
         lp.Elastic(density=1.0, youngs_modulus=1e7, poissons_ratio=0.3),
     )
     force = force_of(scene, "base", 3)
-    assert np.linalg.norm(force) == pytest.approx(LOAD * (upper + sides), rel=1e-3)
+    assert np.linalg.norm(force) == pytest.approx(LOAD * (upper + sides), rel=3e-3)
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -113,7 +113,7 @@ def test_a_load_on_a_shape_put_together_arrives_whole(seed: int) -> None:
         lp.Elastic(density=1.0, youngs_modulus=1e8, poissons_ratio=0.3),
     )
     exact = 0.7 + 0.9 + notch + 0.5 + (0.7 - notch)
-    assert np.linalg.norm(force_of(scene, "base", 2)) == pytest.approx(LOAD * exact, rel=1e-3)
+    assert np.linalg.norm(force_of(scene, "base", 2)) == pytest.approx(LOAD * exact, rel=3e-3)
 
 
 def test_a_load_on_a_disk_of_part_of_a_cell_arrives() -> None:
