@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/fixtures.hpp"
+#include "dynamics/same_bytes.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/obstacles/rigid_mass.hpp"
 
@@ -227,39 +227,9 @@ TEST_CASE("a free obstacle in sand gives the same bytes for any threads and on r
     run->no_slip(1, 0);
     return run;
   };
-  const auto snapshot = [](const Run<2>& run) {
-    Archive archive;
-    run.points.save(archive);
-    run.solver->save(archive);
-    return archive;
-  };
-  Archive whole, middle;
-  for (int threads : {1, 2, 4}) {
-    auto run = make();
-    run->start(threads);
-    for (int k = 0; k < 120; ++k) {
-      if (k == 70 && threads == 1) {
-        middle = snapshot(*run);
-      }
-      run->advance(run->automatic_step());
-    }
-    CAPTURE(threads);
-    if (threads == 1) {
-      whole = snapshot(*run);
-      CHECK(run->value("ball velocity y") > 0.0);  // it has been thrown back
-    } else {
-      CHECK(whole.arrays() == snapshot(*run).arrays());
-    }
-  }
-  set_thread_count(0);
-  auto resumed = make();
-  resumed->start();
-  resumed->points.load(middle);
-  resumed->solver->load(middle);
-  for (int k = 70; k < 120; ++k) {
-    resumed->advance(resumed->automatic_step());
-  }
-  CHECK(whole.arrays() == snapshot(*resumed).arrays());
+  check_same_bytes(make, 120, 70, [](const Run<2>& run) {
+    CHECK(run.value("ball velocity y") > 0.0);  // it has been thrown back
+  });
 }
 
 TEST_CASE("keys of a free obstacle that cannot be are refused by name") {

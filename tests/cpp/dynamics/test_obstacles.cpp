@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/fixtures.hpp"
+#include "dynamics/same_bytes.hpp"
 #include "lapilli/core/require.hpp"
 
 using namespace dynamics_test;
@@ -221,40 +221,8 @@ TEST_CASE("sand that falls on obstacles gives the same bytes for any threads and
     run->roller(0, 1);
     return run;
   };
-  const auto snapshot = [](const Run<2>& run) {
-    Archive archive;
-    run.points.save(archive);
-    run.solver->save(archive);
-    return archive;
-  };
-  Archive whole, middle;
-  for (int threads : {1, 2, 4}) {
-    auto run = make();
-    run->start(threads);
-    for (int k = 0; k < 150; ++k) {
-      if (k == 90 && threads == 1) {
-        middle = snapshot(*run);
-      }
-      run->advance(run->automatic_step());
-    }
-    CAPTURE(threads);
-    if (threads == 1) {
-      whole = snapshot(*run);
-      CHECK(run->value("obstacle 0 contacts") > 0.0);
-    } else {
-      CHECK(whole.arrays() == snapshot(*run).arrays());
-    }
-  }
-  set_thread_count(0);
-  auto resumed = make();
-  resumed->start();
-  resumed->points.load(middle);
-  resumed->solver->load(middle);
-  // The clock of the fixture is no part of it.
-  for (int k = 90; k < 150; ++k) {
-    resumed->advance(resumed->automatic_step());
-  }
-  CHECK(whole.arrays() == snapshot(*resumed).arrays());
+  check_same_bytes(make, 150, 90,
+                   [](const Run<2>& run) { CHECK(run.value("obstacle 0 contacts") > 0.0); });
 }
 
 TEST_CASE("an obstacle that starts inside a body is refused with its depth and point") {

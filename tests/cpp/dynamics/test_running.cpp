@@ -3,7 +3,7 @@
 #include <cstring>
 #include <limits>
 
-#include "dynamics/fixtures.hpp"
+#include "dynamics/same_bytes.hpp"
 #include "lapilli/core/require.hpp"
 
 using namespace dynamics_test;
@@ -33,14 +33,6 @@ std::unique_ptr<Run<Dim>> heap(ShapeFunction shape, StressUpdate update, Velocit
     run->roller(axis, 1);
   }
   return run;
-}
-
-template <int Dim>
-Archive snapshot(const Run<Dim>& run) {
-  Archive archive;
-  run.points.save(archive);
-  run.solver->save(archive);
-  return archive;
 }
 
 bool same_bytes(const Archive& a, const Archive& b) {

@@ -50,8 +50,7 @@ std::optional<SubCycle::Due> SubCycle::due(const Step& clock, double limit) {
   // A remainder before a stop says little of the rate: it is added to what came before.
   if (due.step.size >= 0.5 * span_ || due.step.index == 0) {
     span_ = 0.0;
-    std::ranges::fill(change_.values(), 0.0);
-    std::ranges::fill(supply_, 0.0);
+    stand_still();
   }
   span_ += due.step.size;
   return due;

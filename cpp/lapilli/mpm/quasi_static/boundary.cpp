@@ -4,15 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "lapilli/core/in_space.hpp"
+
 namespace lapilli {
 namespace {
-
-template <int Dim>
-Vec3 in_space(const Vec<Dim>& place) {
-  Vec3 at = Vec3::Zero();
-  at.head<Dim>() = place;
-  return at;
-}
 
 template <int Dim>
 double total_area(const std::vector<Facet<Dim>>& facets) {

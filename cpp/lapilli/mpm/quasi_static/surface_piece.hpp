@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "lapilli/core/in_space.hpp"
 #include "lapilli/mpm/quasi_static/surface.hpp"
-#include "lapilli/mpm/surface/in_space.hpp"
 
 namespace lapilli {
 

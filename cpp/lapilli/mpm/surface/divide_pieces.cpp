@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lapilli/mpm/surface/in_space.hpp"
+#include "lapilli/core/in_space.hpp"
 
 namespace lapilli {
 namespace {
@@ -96,9 +96,12 @@ double SurfaceDivision<Dim>::depth_in(std::size_t law, const Vec<Dim>& at, const
 
 /// At its corners, its middle and half way between these and each other.
 template <int Dim>
-bool SurfaceDivision<Dim>::has_one_label(const SurfacePiece<Dim>& piece, bool near) {
+std::optional<int> SurfaceDivision<Dim>::only_label(const SurfacePiece<Dim>& piece, bool near) {
   const Vec<Dim> middle = piece.middle();
   const int label = label_at(middle, piece.normal, near);
+  if (!near && !has_regions_) {
+    return label;
+  }
   const auto is_same = [&](const Vec<Dim>& at) {
     return label_at(Vec<Dim>(at + 1e-6 * (middle - at)), piece.normal, near) == label;
   };
@@ -107,10 +110,10 @@ bool SurfaceDivision<Dim>::has_one_label(const SurfacePiece<Dim>& piece, bool ne
     const Vec<Dim>&corner = piece.corners[k], &next = piece.corners[(k + 1) % count];
     if (!is_same(corner) || !is_same(Vec<Dim>(0.5 * (corner + middle))) ||
         (Dim == 3 && !is_same(Vec<Dim>(0.5 * (corner + next))))) {
-      return false;
+      return std::nullopt;
     }
   }
-  return true;
+  return label;
 }
 
 template class SurfaceDivision<1>;

@@ -40,8 +40,8 @@ class SurfaceDivision {
 
   template <class Body>
   void divide(const SurfacePiece<Dim>& piece, bool near, int cuts_left, const Body& body) {
-    if ((!near && !has_regions_) || has_one_label(piece, near)) {
-      body(label_at(piece.middle(), piece.normal, near), piece);
+    if (const std::optional<int> label = only_label(piece, near)) {
+      body(*label, piece);
     } else if (cuts_left == 0) {
       split(piece, near, body);
     } else {
@@ -60,16 +60,15 @@ class SurfaceDivision {
       return;
     }
     for (std::size_t law = 0; law < regions_.size(); ++law) {
-      SurfacePiece<Dim> part = piece;
-      for (const double sign : {1.0, -1.0}) {
-        const auto depth = [&](const Vec<Dim>& at) {
-          return sign * depth_in(law, at, piece.normal, 0.0);
-        };
-        auto corners = trim_straight<Dim>(piece.corners, depth, 0.0);
-        (sign > 0.0 ? part : piece).corners = std::move(corners);
-        if (sign > 0.0 && part.corners.size() >= static_cast<std::size_t>(Dim)) {
-          body(static_cast<int>(law), part);
-        }
+      const auto side = [&](double sign) {
+        return trim_straight<Dim>(
+            piece.corners,
+            [&](const Vec<Dim>& at) { return sign * depth_in(law, at, piece.normal, 0.0); }, 0.0);
+      };
+      const SurfacePiece<Dim> part{side(1.0), piece.normal};
+      piece.corners = side(-1.0);
+      if (part.corners.size() >= static_cast<std::size_t>(Dim)) {
+        body(static_cast<int>(law), part);
       }
       if (piece.corners.size() < static_cast<std::size_t>(Dim)) {
         return;
@@ -78,7 +77,8 @@ class SurfaceDivision {
     body(nobody, piece);
   }
 
-  bool has_one_label(const SurfacePiece<Dim>& piece, bool near);
+  /// Of the whole piece; nothing where labels differ.
+  std::optional<int> only_label(const SurfacePiece<Dim>& piece, bool near);
   /// How far a place lies in the region of a law, m; negative outside. `margin` (cells): how far
   /// beyond its edge a region still counts.
   double depth_in(std::size_t law, const Vec<Dim>& at, const Vec<Dim>& normal, double margin) const;

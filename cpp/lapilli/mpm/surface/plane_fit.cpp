@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "lapilli/mpm/surface/in_space.hpp"
+#include "lapilli/core/in_space.hpp"
 
 namespace lapilli {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lapilli/core/in_space.hpp"
 #include "lapilli/core/parallel.hpp"
 
 namespace lapilli {
@@ -26,13 +27,6 @@ void add_to_nodes(const std::vector<Contact<Dim>>& contacts, const double* mass,
   }
 }
 
-template <int Dim>
-Vec3 in_space(const Vec<Dim>& v) {
-  Vec3 full = Vec3::Zero();
-  full.template head<Dim>() = v;
-  return full;
-}
-
 /// What the contacts give the nodes, a free obstacle loses: its velocity at every foot follows.
 template <int Dim, class ImpulseOf>
 void take_from_obstacle(std::vector<Contact<Dim>>& contacts, RigidMotion& motion,
@@ -49,9 +43,10 @@ void take_from_obstacle(std::vector<Contact<Dim>>& contacts, RigidMotion& motion
   }
 }
 
+/// From the centre of an obstacle that can turn, m.
 template <int Dim>
 double arm_of(const Contact<Dim>& contact, const RigidMotion& motion) {
-  return (in_space<Dim>(contact.foot) - motion.center()).norm();
+  return motion.is_free() ? (in_space<Dim>(contact.foot) - motion.center()).norm() : 0.0;
 }
 
 /// The mass that an impulse at each foot meets while all the others push as hard: the row sum of

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/core/in_space.hpp"
 #include "lapilli/core/require.hpp"
 
 namespace lapilli {
@@ -15,13 +16,6 @@ namespace {
 /// .6: trembling at 1.1, .16, .10, .09 m/s and acceleration wrong by .030, .005, .002, .002 g with
 /// 0, 2, 4, 8 cells; more would leave an oblique impact short of its friction.
 constexpr double lag_cells = 4.0;
-
-template <int Dim>
-Vec3 in_space(const Vec<Dim>& v) {
-  Vec3 full = Vec3::Zero();
-  full.template head<Dim>() = v;
-  return full;
-}
 
 /// Farthest a surface can be from a centre: the corners of its box, or of the grid where it ends
 /// nowhere.
