@@ -66,16 +66,10 @@ class CellCutter {
   }
 
   /// The place of the surface nearest to another one; nothing where it is far.
-  std::optional<Vec<Dim>> foot_of(Vec<Dim> x, const Cube<Dim>& cube) const {
-    for (int round = 0; round < 12; ++round) {
-      const double distance = surface_.distance(in_space<Dim>(x));
-      if (std::abs(distance) < 1e-12 * cell_size_) {
-        break;
-      }
-      x -= distance * normal_at(x);
-    }
-    const bool is_near = (x - cube.middle()).cwiseAbs().maxCoeff() < 0.75 * cube.side;
-    return is_near ? std::optional(x) : std::nullopt;
+  std::optional<Vec<Dim>> foot_in(const Vec<Dim>& from, const Cube<Dim>& cube) const {
+    const Vec<Dim> foot = foot_of<Dim>(surface_, from, 1e-12 * cell_size_);
+    const bool is_near = (foot - cube.middle()).cwiseAbs().maxCoeff() < 0.75 * cube.side;
+    return is_near ? std::optional(foot) : std::nullopt;
   }
 
   Vec<Dim> normal_at(const Vec<Dim>& x) const {
@@ -87,11 +81,7 @@ class CellCutter {
   bool has_edge(const Cube<Dim>& cube) const {
     std::vector<Vec<Dim>> feet;
     for (int k = -1; k < (1 << Dim); ++k) {
-      Vec<Dim> sample = cube.middle();
-      for (int axis = 0; axis < Dim && k >= 0; ++axis) {
-        sample[axis] = cube.low[axis] + ((k >> axis) & 1) * cube.side;
-      }
-      if (const auto foot = foot_of(sample, cube)) {
+      if (const auto foot = foot_in(k < 0 ? cube.middle() : cube.corner(k), cube)) {
         feet.push_back(*foot);
       }
     }
@@ -111,7 +101,7 @@ class CellCutter {
 
   bool jumps_between(Vec<Dim> a, Vec<Dim> b, const Cube<Dim>& cube) const {
     for (int round = 0; round < 8; ++round) {
-      const auto middle = foot_of(Vec<Dim>(0.5 * (a + b)), cube);
+      const auto middle = foot_in(0.5 * (a + b), cube);
       if (!middle) {
         return false;
       }

@@ -120,10 +120,7 @@ void cut_simplices(const LevelSet& surface, const Cube<Dim>& cube, double shift,
   std::array<Vec<Dim>, 1 << Dim> corner;
   std::array<double, 1 << Dim> value;
   for (int k = 0; k < (1 << Dim); ++k) {
-    corner[k] = cube.low;
-    for (int axis = 0; axis < Dim; ++axis) {
-      corner[k][axis] += ((k >> axis) & 1) * size;
-    }
+    corner[k] = cube.corner(k);
     value[k] = shifted(corner[k]);
   }
   for (const auto& simplex : all_simplices) {

@@ -36,10 +36,7 @@ class Fitter {
       return found;
     }
     for (int k = 1; k < samples; ++k) {
-      sample_[k] = cube_.low;
-      for (int axis = 0; axis < Dim; ++axis) {
-        sample_[k][axis] += (((k - 1) >> axis) & 1) * cube_.side;
-      }
+      sample_[k] = cube_.corner(k - 1);
       depth_[k] = distance_at(sample_[k]);
       // On the surface but for rounding: on the same side in all cubes that share the corner.
       depth_[k] = std::abs(depth_[k]) < touching * cube_.side ? 0.0 : depth_[k];
@@ -99,14 +96,7 @@ class Fitter {
   /// the shape and where the surface passes far from the cube.
   std::optional<Cut<Dim>> plane_near(const Vec<Dim>& from) const {
     const double side = cube_.side;
-    Vec<Dim> x = from;
-    for (int round = 0; round < 12; ++round) {
-      const double d = distance_at(x);
-      if (std::abs(d) < 1e-13 * side) {
-        break;
-      }
-      x -= d * normal_at(x);
-    }
+    const Vec<Dim> x = foot_of<Dim>(surface_, from, 1e-13 * side);
     if ((x - sample_[0]).cwiseAbs().maxCoeff() > 0.75 * side) {
       return std::nullopt;
     }

@@ -15,13 +15,18 @@ struct Cube {
   double side;
 
   Vec<Dim> middle() const { return low + Vec<Dim>::Constant(0.5 * side); }
+  /// One of its 2^Dim corners.
+  Vec<Dim> corner(int which) const {
+    Vec<Dim> place = low;
+    for (int axis = 0; axis < Dim; ++axis) {
+      place[axis] += ((which >> axis) & 1) * side;
+    }
+    return place;
+  }
   /// One of the 2^Dim parts of half the side.
   Cube part(int which) const {
-    Cube half{low, 0.5 * side};
-    for (int axis = 0; axis < Dim; ++axis) {
-      half.low[axis] += ((which >> axis) & 1) * half.side;
-    }
-    return half;
+    const Cube half{low, 0.5 * side};
+    return {half.corner(which), half.side};
   }
 };
 
