@@ -52,6 +52,18 @@ def test_keys_lists_units_and_defaults(capsys: pytest.CaptureFixture[str]) -> No
     assert "cell" in capsys.readouterr().out
 
 
+def test_keys_of_nested_sections_stand_below_their_whole_path(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """[heat] and [peridynamics.heat] are two; a table is also found by the end of its path."""
+    assert main(["keys"]) == 0
+    headings = [line for line in capsys.readouterr().out.splitlines() if line.startswith("## ")]
+    for path in ("[heat]", "[peridynamics.heat]", "[peridynamics.flow]", "[bodies.geostatic]"):
+        assert headings.count(f"## `{path}`") == 1
+    assert main(["keys", "flow"]) == 0
+    assert "`[peridynamics.flow]`" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     ("words", "code", "says"),
     [

@@ -195,3 +195,29 @@ def test_plastic_heat_has_its_column_before_anything_yields() -> None:
     entry = dict(result.balance["heat"].entries)["plastic work"]
     assert column[0] == 0 < column[-1] == entry
     assert result.summary.history["position_y/largest"][0] < 1.01
+
+
+STARTS = {
+    "vhfm/ring": "time.end=1e-3",
+    "vhfm/column": "time.end=1e-3",
+    "vhfm/swirl": "time.end=1e-3",
+    "heat/casting": "time.end=1e-2",
+    "heat/pipe": "time.end=1e-2",
+    "soil/boulder": "time.end=1e-3",
+    "soil/retaining_wall": "time.end=1e-3",
+    "soil/slope": "time.end=1e-3",
+    "static/beam": "time.steps=1",
+    "flow/plume": "time.end=1e-3",
+}
+
+
+@pytest.mark.parametrize("name", STARTS)
+def test_every_column_says_what_it_is(name: str) -> None:
+    """A column that nobody described repeats its name; energy in the plane is per metre."""
+    scene = lp.examples.load(name).set(STARTS[name])
+    history = lp.run(scene, progress=False).history
+    for column in history:
+        meaning = history.meaning(column)
+        assert meaning.replace(" ", "_") != column.split("/")[-1], column
+        if column.startswith("energy/") and not column.endswith("residual"):
+            assert history.unit(column) == ("J/m" if len(scene.grid.lower) == 2 else "J"), column

@@ -5,7 +5,6 @@ One page for each part of a scene below `reference/`, `reference/fields.md`, `re
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -33,7 +32,7 @@ PAGES = {
     "bodies": Page(
         "Grid and bodies",
         "Where the points are, how they move and in which stress they start.",
-        ("[grid]", "[[bodies]]", "motion", "[geostatic]"),
+        ("[grid]", "[[bodies]]", "motion", "[bodies."),
     ),
     "shapes": Page(
         "Shapes",
@@ -55,10 +54,9 @@ PAGES = {
         "Equilibrium", "Settings, supports and loads.", ("[quasi_static]", "[[quasi_static.")
     ),
     "peridynamics": Page(
-        "Buoyant flow", "Heat, flow and walls.", ("[peridynamics", "[[peridynamics", "[flow]")
+        "Buoyant flow", "Heat, flow and walls.", ("[peridynamics", "[[peridynamics")
     ),
 }
-ALIASES = {"[flow]": "[peridynamics.flow]", "[geostatic]": "[bodies.geostatic]"}
 
 
 def on_files(files: Any, config: Any) -> Any:
@@ -73,7 +71,7 @@ def pages() -> Iterator[tuple[str, str]]:
     tables = key_tables()
     for name, page in PAGES.items():
         own = {head: tables.pop(head) for head in list(tables) if head.startswith(page.headings)}
-        parts = [f"## `{ALIASES.get(head, head)}`\n\n{table}" for head, table in own.items()]
+        parts = [f"## `{head}`\n\n{table}" for head, table in own.items()]
         lead = f"{page.lead} Keys without a default, `required` apart, may be left out."
         yield f"reference/{name}.md", "\n".join([f"# {page.title}: keys\n\n{lead}\n", *parts])
     if tables:
@@ -85,34 +83,9 @@ def pages() -> Iterator[tuple[str, str]]:
 def key_tables() -> dict[str, str]:
     """The tables of `lapilli keys` by their headings."""
     parts = re.split(r"^## `(.+)`\n", _core.keys_as_markdown(""), flags=re.MULTILINE)
-    tables = {
+    return {
         head: text.strip() + "\n" for head, text in zip(parts[1::2], parts[2::2], strict=True)
     }
-    # Of two sections with one name `lapilli keys` shows the first; the schema knows both.
-    tables.setdefault("[peridynamics.heat]", table_of("heat_"))
-    return tables
-
-
-def table_of(definition: str) -> str:
-    """A table of keys from the JSON Schema."""
-    rows = ["| key | type | unit | allowed | default | meaning |", "|---|---|---|---|---|---|"]
-    for key, says in json.loads(_core.scene_schema())["definitions"][definition][
-        "properties"
-    ].items():
-        kind = {"boolean": "true or false"}.get(says.get("type", ""), says.get("type", "string"))
-        allowed = ", ".join(f'`"{word}"`' for word in says.get("enum", [])) or limits(says)
-        default = json.dumps(says["default"]) if "default" in says else ""
-        rows.append(
-            f"| `{key}` | {kind} |  | {allowed} | `{default}` | {says.get('description', '')} |"
-        )
-    return "\n".join(rows) + "\n"
-
-
-def limits(says: dict[str, Any]) -> str:
-    """The range of a number in words."""
-    low, above, high = (says.get(k) for k in ("minimum", "exclusiveMinimum", "maximum"))
-    start = f"above {above}" if above is not None else f"from {low}" if low is not None else ""
-    return f"{start} to {high}".strip() if high is not None else start.replace("from", "at least")
 
 
 def fields_page() -> str:

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lapilli/core/extensive_unit.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/snake_case.hpp"
 
@@ -21,7 +22,7 @@ struct Known {
 
 // A name may begin or go on with others where a pattern has an underscore; the last one counts.
 constexpr Known known_diagnostics[] = {
-    {"_force_", "N", true, "force on an obstacle, a component"},
+    {"_force_", "N", true, "force on an obstacle, or on a body from another, a component"},
     {"_torque_", "N m", true, "torque on an obstacle about its centre, a component"},
     {"_work", "J", true, "work of an obstacle on the material so far"},
     {"_contacts", "", false, "points that an obstacle pushes now"},
@@ -40,6 +41,8 @@ constexpr Known known_diagnostics[] = {
     {"time_error", "", false,
      "estimated error of the steps so far, as a share of the span of temperatures"},
     {"implicit_steps", "", false, "implicit steps taken so far"},
+    {"nodal_stray", "K", false,
+     "how far nodes are beyond the temperatures of start and surroundings now"},
     {"heat_from_", "J", true, "heat that has passed from one body to another"},
     {"liquid_volume", "m^3", true, "volume of what has melted"},
     {"iterations", "", false, "iterations of the last solve"},
@@ -64,6 +67,10 @@ constexpr Known known_diagnostics[] = {
     {"damping_loss", "J", true, "energy that local damping has taken so far"},
     {"strain_transfer_loss", "J", true, "elastic energy lost between points and grid so far"},
     {"expansion_work", "J", true, "work of thermal expansion so far"},
+    {"energy_gained", "J", true, "energy that nothing put in so far; negative: lost"},
+    {"contact_friction", "J", true, "work dissipated by friction between bodies so far"},
+    {"contact_impact", "J", true, "kinetic energy lost where bodies met so far"},
+    {"contact_nodes", "", false, "nodes where bodies push each other now"},
     {"load_work", "J", true, "work of pressures and tractions so far"},
     {"heat_flow_from_wall_", "W", true, "heat that enters the fluid from a wall now"},
     {"nusselt_number_of_wall_", "", false, "heat flow of a wall over that of pure conduction"},
@@ -77,17 +84,7 @@ constexpr Known known_diagnostics[] = {
 };
 
 std::string unit_in(int dimension, const Known& known) {
-  const std::string unit = known.unit;
-  if (!known.extensive || dimension == 3) {
-    return unit;
-  }
-  if (unit == "m^2") {
-    return dimension == 2 ? "m" : "";
-  }
-  if (unit == "m^3") {
-    return dimension == 2 ? "m^2" : "m";
-  }
-  return unit + (dimension == 2 ? "/m" : "/m^2");
+  return known.extensive ? extensive_unit(known.unit, dimension) : known.unit;
 }
 
 const Known* known_as(const std::string& name) {
@@ -229,8 +226,9 @@ std::string diagnostics_as_markdown() {
     const std::string name = known.name;
     row(name.back() == '_' ? name + "<name>" : name, known.unit, known.meaning);
   }
-  row("<quantity>/stored", "", "heat, energy, momentum or mass stored now");
-  row("<quantity>/supplied_by_<name>", "", "what a boundary condition or source supplied so far");
+  row("<quantity>/stored", "J, kg or kg m/s", "heat, energy, momentum or mass stored now");
+  row("<quantity>/supplied_by_<name>", "J, kg or kg m/s",
+      "what a boundary condition or source supplied so far");
   row("<quantity>/residual", "", "relative error of the balance");
   row("<field>/smallest", "", "least value of a field, or least magnitude");
   row("<field>/largest", "", "greatest value of a field, or greatest magnitude");

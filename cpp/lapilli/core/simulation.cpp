@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/core/extensive_unit.hpp"
 #include "lapilli/core/memory.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/step_refused.hpp"
@@ -168,6 +169,7 @@ std::vector<Balance> Simulation::balances() const {
   for (const auto& physics : physics_) {
     for (Balance& balance : physics->balances()) {
       balance.largest = all.size() < largest_.size() ? largest_[all.size()] : 0.0;
+      balance.unit = extensive_unit(balance.unit, points_->dimension());
       all.push_back(std::move(balance));
     }
   }

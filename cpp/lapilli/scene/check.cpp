@@ -212,7 +212,7 @@ void describe_dynamics(const Scene& scene, CheckReport& report) {
     report.notes.push_back(warning);
   }
   describe_transfer(scene, report);
-  for (const char* absent : {"hardening", "pore pressure"}) {
+  for (const char* absent : {"pore pressure", "rate dependence"}) {
     report.not_modelled.push_back(absent);
   }
 }
@@ -244,7 +244,7 @@ void describe_physics(const Scene& scene, CheckReport& report) {
   }
 }
 
-void describe_steps(const Scene& scene, Simulation& simulation, CheckReport& report) {
+void describe_step(const Scene& scene, Simulation& simulation, CheckReport& report) {
   report.step = simulation.next_step_size();
   report.hard_limit = std::numeric_limits<double>::infinity();
   report.step_reason = scene.time.step || scene.time.steps ? "given" : "automatic";
@@ -255,37 +255,49 @@ void describe_steps(const Scene& scene, Simulation& simulation, CheckReport& rep
       report.step_reason += "; " + limit.reason;
     }
   }
-  // Steps end at frames, so a span between frames holds a whole number of them.
-  const double end = scene.time.end, every = scene.output.every.value_or(end);
-  const auto steps_in = [&](double span) {
-    return static_cast<Index>(std::ceil(span / report.step * (1.0 - 1e-9)));
-  };
-  const double spans = std::floor(end / every * (1.0 + 1e-9));
-  report.steps =
-      static_cast<Index>(spans) * steps_in(every) + steps_in(std::max(0.0, end - spans * every));
 }
 
-// The first step also assembles what later ones use, so it is not counted.
-void measure_steps(Simulation& simulation, CheckReport& report) {
+/// Steps from `begin` on that are `size` long but end at frames.
+double steps_until_end(const Scene& scene, double begin, double size) {
+  const double end = scene.time.end, every = scene.output.every.value_or(end);
+  double steps = 0.0;
+  const auto add_steps = [&](double span, double times) {
+    steps += times * std::ceil(std::max(0.0, span) / size * (1.0 - 1e-9));
+  };
+  const double next_frame = std::min(end, every * (std::floor(begin / every * (1.0 + 1e-9)) + 1.0));
+  add_steps(next_frame - begin, 1.0);
+  const double frames = std::floor((end - next_frame) / every * (1.0 + 1e-9));
+  add_steps(every, frames);
+  add_steps(end - next_frame - frames * every, 1.0);
+  return steps;
+}
+
+// The first step also assembles what later ones use, and is often shorter, so it is not counted.
+void measure_steps(const Scene& scene, Simulation& simulation, CheckReport& report) {
   constexpr double patience = 0.3;  // s
   const Clock::time_point first = Clock::now();
-  double seconds_of_first = 0.0;
-  Clock::time_point start = first;
+  double seconds_of_first = 0.0, seconds_of_others = 0.0;
   Index taken = 0;
+  double size = report.step;
   try {
     simulation.step(simulation.end());
     seconds_of_first = seconds_since(first);
-    start = Clock::now();
-    while (simulation.time() < simulation.end() && seconds_since(start) < patience) {
+    const Clock::time_point start = Clock::now();
+    while (simulation.time() < simulation.end() && seconds_of_others < patience) {
+      size = simulation.next_step_size();
       simulation.step(simulation.end());
       ++taken;
+      seconds_of_others = seconds_since(start);
     }
   } catch (const RunError& error) {
     report.notes.push_back(message("fails soon: ", error.what()));
   }
-  report.seconds_to_run = taken == 0 ? seconds_of_first
-                                     : seconds_since(start) / static_cast<double>(taken) *
-                                           static_cast<double>(report.steps);
+  report.step = size;
+  const double left = steps_until_end(scene, simulation.time(), size);
+  report.steps = 1 + taken + static_cast<Index>(left);
+  const double cost =
+      taken == 0 ? seconds_of_first : seconds_of_others / static_cast<double>(taken);
+  report.seconds_to_run = cost * static_cast<double>(report.steps);
 }
 
 // What a run leaves on disk, before compression: the fields asked for at every frame.
@@ -339,11 +351,11 @@ CheckReport check(const Scene& scene) {
   for (const std::string& note : unused_settings(scene)) {
     report.notes.push_back(note);
   }
-  describe_steps(scene, *simulation, report);
+  describe_step(scene, *simulation, report);
   report.memory =
       memory_of(scene, static_cast<double>(report.nodes), static_cast<double>(report.points));
   report.output = output_of(scene, *simulation);
-  measure_steps(*simulation, report);
+  measure_steps(scene, *simulation, report);
   describe_choices(*simulation, report);  // how often heat steps is known by now
   return report;
 }

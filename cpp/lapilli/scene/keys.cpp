@@ -43,7 +43,8 @@ class KeyTables {
       std::string name = done_[k];
       std::erase_if(name, [](char letter) { return letter == '[' || letter == ']'; });
       const bool is_inside = name.starts_with(section + ".") || name.starts_with(section + " ");
-      if (section.empty() || name == section || is_inside || kind_word(name) == section) {
+      const bool ends_so = kind_word(name) == section || name.ends_with("." + section);
+      if (section.empty() || name == section || is_inside || ends_so) {
         text += tables_[k];
       }
       names.push_back(name);
@@ -131,7 +132,8 @@ class KeyTables {
                    " |\n");
   }
 
-  // Headings: "[grid]", "[[bodies]]", "[heat]", "[[heat.boundaries]] convection", "shape annulus".
+  // Headings: "[grid]", "[[bodies]]", "[bodies.geostatic]", "[[heat.boundaries]] convection",
+  // "shape annulus".
   template <class T>
   void follow(const Key& key, const T&, const std::string& heading) {
     if constexpr (is_optional<T>) {
@@ -150,7 +152,7 @@ class KeyTables {
     } else if constexpr (Kinded<T>) {
       follow_kinds<T>(key_is_shape<T> ? "shape" : key.name);
     } else if constexpr (Described<T>) {
-      add<T>(message("[", key.name, "]"));
+      add<T>(message("[", inside(heading), key.name, "]"));
     }
   }
 
@@ -158,9 +160,17 @@ class KeyTables {
   static constexpr bool key_is_shape = std::is_same_v<T, Shape>;
 
   static std::string list_heading(const Key& key, const std::string& heading) {
-    const bool inside = heading.size() > 2 && heading.front() == '[';
-    return message("[[", inside ? heading.substr(1, heading.size() - 2) : "", inside ? "." : "",
-                   key.name, "]]");
+    return message("[[", inside(heading), key.name, "]]");
+  }
+
+  /// "heat." of "[heat]", "bodies." of "[[bodies]]"; nothing of "shape annulus".
+  static std::string inside(const std::string& heading) {
+    if (heading.front() != '[' || heading.back() != ']') {
+      return "";
+    }
+    std::string name = heading;
+    std::erase_if(name, [](char letter) { return letter == '[' || letter == ']'; });
+    return name + ".";
   }
 
   template <Kinded T>
