@@ -93,7 +93,7 @@ void define_arguments(CLI::App& app, Arguments& given) {
   app.add_option("--every", given.every, "Time between frames in s")->check(CLI::PositiveNumber);
   app.add_option("--set", given.overrides, "Set one member of the scene: grid.cell=0.05")
       ->allow_extra_args(false);
-  app.add_option("--threads", given.threads, "Number of threads; all processors unless given")
+  app.add_option("--threads", given.threads, "Number of threads; as many as pay, unless given")
       ->check(CLI::Range(1, 4096));
   app.add_flag("--resume", given.resume, "Go on from the checkpoint beside the output");
   app.add_flag("--check", given.check, "Validate the scene and say what it models and costs");

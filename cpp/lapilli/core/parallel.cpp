@@ -2,10 +2,12 @@
 
 #include <pthread.h>
 
+#include <algorithm>
 #include <atomic>
 
 #include "lapilli/core/interruption.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/core/thread_limit.hpp"
 
 namespace lapilli {
 namespace {
@@ -20,9 +22,15 @@ std::atomic<bool> has_lost_threads{false};
   has_lost_threads.store(had_threads.load(std::memory_order_relaxed), std::memory_order_relaxed);
 });
 
+// 0: none.
+thread_local int limit = 0;
+
+// OMP_NUM_THREADS where the environment has it. Asked once, outside of any loop: inside of one the
+// answer would be another.
 int processors() {
 #ifdef _OPENMP
-  return std::max(1, omp_get_num_procs());
+  static const int all = std::max(1, omp_get_max_threads());
+  return all;
 #else
   return 1;
 #endif
@@ -37,12 +45,19 @@ int thread_count() {
     return 1;
   }
   const int chosen = chosen_threads.load(std::memory_order_relaxed);
-  const int threads = chosen > 0 ? chosen : processors();
+  const int most = chosen > 0 ? chosen : processors();
+  const int threads = limit > 0 ? std::min(limit, most) : most;
   if (threads > 1) {
     had_threads.store(true, std::memory_order_relaxed);
   }
   return threads;
 }
+
+int chosen_thread_count() { return chosen_threads.load(std::memory_order_relaxed); }
+
+ThreadLimit::ThreadLimit(int threads) : before_(limit) { limit = threads; }
+
+ThreadLimit::~ThreadLimit() { limit = before_; }
 
 void set_thread_count(int threads) {
   require(threads >= 0 && threads <= 4096, "threads must be 0 (all processors) to 4096, got ",

@@ -1,12 +1,15 @@
 #include "lapilli/core/simulation.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "lapilli/core/extensive_unit.hpp"
 #include "lapilli/core/memory.hpp"
+#include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/step_refused.hpp"
+#include "lapilli/core/thread_limit.hpp"
 
 namespace lapilli {
 namespace {
@@ -65,7 +68,19 @@ void Simulation::require_whole() const {
 }
 
 StepReport Simulation::step(double until, bool output_due) {
+  using Timer = std::chrono::steady_clock;
   require_whole();
+  if (chosen_thread_count() > 0) {
+    return take_step(until, output_due);
+  }
+  const ThreadLimit limit(threads_.threads(thread_count()));
+  const Timer::time_point start = Timer::now();
+  const StepReport report = take_step(until, output_due);
+  threads_.took(std::chrono::duration<double>(Timer::now() - start).count());
+  return report;
+}
+
+StepReport Simulation::take_step(double until, bool output_due) {
   const NextStep next = next_step();
   double size = next.size;
   const double end = std::min(until, next.stop), left = end - time_;

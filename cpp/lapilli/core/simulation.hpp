@@ -7,6 +7,7 @@
 
 #include "lapilli/core/physics.hpp"
 #include "lapilli/core/points.hpp"
+#include "lapilli/core/thread_chooser.hpp"
 
 namespace lapilli {
 
@@ -58,6 +59,7 @@ class Simulation {
     bool even = false;
   };
   NextStep next_step() const;
+  StepReport take_step(double until, bool output_due);
   StepReport advance(double size, bool output_due, bool last);
   void require_whole() const;
   /// After a step: every physics books what they carry, then they are gone.
@@ -72,6 +74,7 @@ class Simulation {
   Index index_ = 0;
   std::string failure_;          // why the fields are half evolved; empty: they are whole
   std::vector<double> largest_;  // by balance
+  ThreadChooser threads_;
 };
 
 }  // namespace lapilli

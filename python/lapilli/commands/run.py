@@ -22,7 +22,7 @@ def command(
     changes: Changes = None,
     output: Annotated[Path | None, Parameter(help="frames for ParaView (.vtkhdf)")] = None,
     every: Annotated[float | None, Parameter(help="time between frames, s")] = None,
-    threads: Annotated[Count | None, Parameter(help="all processors unless given")] = None,
+    threads: Annotated[Count | None, Parameter(help="as many as pay, unless given")] = None,
     resume: Annotated[bool, Parameter(negative=(), help="go on from the checkpoint")] = False,
     json: Json = False,
     quiet: Quiet = False,
