@@ -47,7 +47,8 @@ void CutCellHeat<Dim>::exchange_weakly(Solved& one, const Step& step, std::span<
   const double* inverse = one.inverse.data();
   const double* temperature = one.part.temperature.data();
   for (const WeakExchange& weak : one.weak) {
-    const double ambient = laws_.uniform(weak.law, 0.0, step.time, step.time + step.size).ambient;
+    const double ambient =
+        laws_.uniform(weak.law, 0.0, {}, step.time, step.time + step.size).ambient;
     const double factor = step.size * weak.coefficient;
     double sum = 0.0;
     for (std::size_t k = 0; k < weak.place.size(); ++k) {

@@ -23,6 +23,7 @@ void EnthalpyHeat<Dim>::connect_surface() {
     const bool contact = law >= outer_laws();
     std::vector<Eigen::Triplet<double>> entries;
     SurfaceSites& sites = joined[law].sites;
+    sites.layer.thickness = 0.0;
     double rate = 0.0;
     for (std::size_t part = 0; part < solved_.size(); ++part) {
       const SurfaceTerm::Part& own = solved_[part].part.surface[law];
@@ -50,6 +51,9 @@ void EnthalpyHeat<Dim>::connect_surface() {
       add(sites.normal, own.sites.normal);
       add(sites.area, own.sites.area);
       add(sites.hold, own.sites.hold);
+      const HoldLayer& layer = own.sites.layer;
+      sites.layer = {std::max(sites.layer.thickness, layer.thickness),
+                     sites.layer.behind || layer.behind};
     }
     joined[law].trace = SurfaceTerm::Trace(static_cast<Eigen::Index>(sites.area.size()),
                                            static_cast<Eigen::Index>(unknown_.size()));

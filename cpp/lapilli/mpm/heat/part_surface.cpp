@@ -1,6 +1,7 @@
 #include "lapilli/mpm/heat/part_surface.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "lapilli/mpm/heat/start_in_shape.hpp"
 #include "lapilli/mpm/surface/cut_shape.hpp"
@@ -9,7 +10,10 @@
 namespace lapilli {
 namespace {
 
-constexpr double hold_factor = 1e4;  // of a prescribed temperature, in conductivity / cell
+// Where the conductivity depends on the temperature, a layer of the largest one would resist too
+// little; and both sides of a contact have their own. These are thin, and exchange does not pass
+// them.
+constexpr double thin = 1e-4, thin_of_contact = 1.0 / 300.0;  // cells
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
@@ -29,6 +33,29 @@ class Numbers {
   std::vector<Index> number_;
 };
 
+/// Through what law number `law` holds or exchanges on these pieces.
+template <int Dim>
+HoldLayer layer_of(const HeatProblem<Dim>& problem, std::size_t law,
+                   const PiecesOfBodies<Dim>& pieces) {
+  if (law >= problem.settings.boundaries.size()) {
+    return {thin_of_contact, false};
+  }
+  double least = std::numeric_limits<double>::infinity();  // W/(m K), across any piece
+  for (const auto& [body, some] : pieces) {
+    const auto& conductivity = problem.bodies[body].material.conductivity;
+    if (conductivity.varies() && !some.empty()) {
+      return {thin, false};
+    }
+    const Mat<Dim> k = conductivity.largest().template block<Dim>();
+    for (const SurfacePiece<Dim>& piece : some) {
+      least = std::min(least, piece.normal.dot(k * piece.normal));
+    }
+  }
+  const HoldLayer layer;
+  const double hold = least / (layer.thickness * problem.grid.cell_size());
+  return {layer.thickness, passes_layer(problem.settings.boundaries[law], hold)};
+}
+
 template <int Dim, class Function>
 void trace_pieces(const HeatProblem<Dim>& problem, const std::vector<PiecesOfBodies<Dim>>& pieces,
                   const Function& function, HeatPart<Dim>& part) {
@@ -39,12 +66,15 @@ void trace_pieces(const HeatProblem<Dim>& problem, const std::vector<PiecesOfBod
   part.surface.resize(laws);
   for (std::size_t law = 0; law < laws; ++law) {
     SurfaceSites& sites = part.surface[law].sites;
+    sites.layer = layer_of(problem, law, pieces[law]);
+    const double thickness = sites.layer.thickness * grid.cell_size();
+    const double depth = sites.layer.behind ? 0.5 * thickness : 0.0;
     for (const auto& [body, some] : pieces[law]) {
       const Mat<Dim> k = problem.bodies[body].material.conductivity.largest().template block<Dim>();
       for (const SurfacePiece<Dim>& piece : some) {
         Vec3 normal = Vec3::Zero();
         normal.template head<Dim>() = piece.normal;
-        const double hold = hold_factor * piece.normal.dot(k * piece.normal) / grid.cell_size();
+        const double hold = piece.normal.dot(k * piece.normal) / thickness;
         for (const auto& site : piece.quadrature()) {
           const auto row = static_cast<int>(sites.area.size());
           Vec3 position = Vec3::Zero();
@@ -53,7 +83,8 @@ void trace_pieces(const HeatProblem<Dim>& problem, const std::vector<PiecesOfBod
           sites.normal.push_back(normal);
           sites.area.push_back(site.weight);
           sites.hold.push_back(hold);
-          Weights<Dim, Function>(grid, function, site.position.data())
+          const Vec<Dim> seen_at = site.position - depth * piece.normal;
+          Weights<Dim, Function>(grid, function, seen_at.data())
               .for_each_node(grid, [&](Index node, double s, const Vec<Dim>&) {
                 if (s > 0.0) {
                   entries[law].emplace_back(row, numbers.of(node, part.nodal.node), s);

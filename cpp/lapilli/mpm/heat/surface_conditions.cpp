@@ -57,13 +57,30 @@ void find_slope(const Value& flux, SurfaceSites& sites, double from, double to) 
   }
 }
 
+/// What of a coefficient is left to the surface.
+double seen(double coefficient, double hold, bool behind) {
+  if (!(hold > 0.0)) {
+    return coefficient;
+  }
+  return behind ? coefficient / (1.0 + coefficient / hold) : std::min(coefficient, hold);
+}
+
 }  // namespace
+
+bool passes_layer(const HeatBoundary& law, double hold) {
+  constexpr double near = 0.1;
+  const auto* convection = std::get_if<Convection>(&law);
+  return std::holds_alternative<PrescribedTemperature>(law) ||
+         std::holds_alternative<Radiation>(law) ||
+         (convection != nullptr && convection->coefficient.largest() > near * hold);
+}
 
 SurfaceConditions::SurfaceConditions(std::vector<HeatBoundary> laws, double zero)
     : laws_(std::move(laws)), account_(laws_.size()), zero_(zero) {}
 
-double SurfaceConditions::hold_over(std::size_t law, double from, double to) const {
-  constexpr double first = 3e-3;
+double SurfaceConditions::hold_over(std::size_t law, const HoldLayer& layer, double from,
+                                    double to) const {
+  const double first = 7.0 * layer.thickness;
   if (!(hold_span_ > 0.0)) {
     return 1.0;
   }
@@ -131,18 +148,19 @@ bool SurfaceConditions::jumps_within(double from, double to) const {
   });
 }
 
-UniformLaw SurfaceConditions::uniform(std::size_t law, double hold, double from, double to) const {
+UniformLaw SurfaceConditions::uniform(std::size_t law, double hold, const HoldLayer& layer,
+                                      double from, double to) const {
   UniformLaw made;
   if (const auto* flux = std::get_if<Flux>(&laws_[law])) {
     made.flux = flux->value.mean(from, to);
   } else if (const auto* convection = std::get_if<Convection>(&laws_[law])) {
-    made.coefficient = convection->coefficient.mean(from, to);
+    made.coefficient = seen(convection->coefficient.mean(from, to), hold, layer.behind);
     made.ambient = ambient_over(convection->coefficient, convection->ambient, 1, zero_, from, to);
   } else {
     made.coefficient = hold;
     made.ambient = std::get<PrescribedTemperature>(laws_[law]).value.mean(from, to);
   }
-  if (const double share = hold_over(law, from, to); share < 1.0 && hold > 0.0) {
+  if (const double share = hold_over(law, layer, from, to); share < 1.0 && hold > 0.0) {
     made.coefficient = std::min(made.coefficient, share * hold);
   }
   return made;
@@ -186,8 +204,12 @@ void SurfaceConditions::evaluate(std::size_t law, SurfaceSites& sites, double fr
     sites.slope = sites.hold;
     fill(std::get<PrescribedTemperature>(laws_[law]).value, second);
   }
-  const double share = hold_over(law, from, to);
+  const double share = hold_over(law, sites.layer, from, to);
+  const bool exchanges = !holds_temperature(law) && !sites.hold.empty();
   for (std::size_t k = 0; k < count; ++k) {
+    if (exchanges) {
+      sites.slope[k] = seen(sites.slope[k], sites.hold[k], sites.layer.behind);
+    }
     if (share < 1.0 && sites.hold[k] > 0.0) {
       sites.slope[k] = std::min(sites.slope[k], share * sites.hold[k]);
     }

@@ -27,8 +27,8 @@ SurfaceTerm::SurfaceTerm(const SurfaceConditions& laws, std::vector<Part> parts,
     sites.state.resize(sites.area.size());
     sites.rate.resize(sites.area.size());
     sites.slope.resize(sites.area.size());
-    known.hold = sites.hold.empty() ? 0.0 : sites.hold.front();
-    const bool one_material = !laws.holds_temperature(law) ||
+    known.hold = sites.hold.empty() ? 0.0 : *std::ranges::max_element(sites.hold);
+    const bool one_material = !(laws.holds_temperature(law) || sites.layer.behind) ||
                               std::all_of(sites.hold.begin(), sites.hold.end(), [&](double hold) {
                                 return std::abs(hold / known.hold - 1.0) < 1e-12;
                               });
@@ -53,7 +53,7 @@ void SurfaceTerm::evaluate(const SurfaceConditions& laws, const Vector& temperat
       continue;
     }
     if (part.uniform) {
-      part.now = laws.uniform(law, part.hold, from, to);
+      part.now = laws.uniform(law, part.hold, part.given.sites.layer, from, to);
       const double constant = part.now.flux + part.now.coefficient * part.now.ambient;
       force_ += constant * part.area;
       if (part.now.coefficient != 0.0) {
