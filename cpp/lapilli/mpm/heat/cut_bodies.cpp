@@ -45,6 +45,7 @@ CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> sh
   made.pieces.resize(regions.size());
   Division division(problem.grid, shapes, body, regions, problem.walls);
   for (const CellCut<Dim>& cell : made.cells) {
+    const Index at = problem.grid.node_index(cell.node);
     for (const SurfacePiece<Dim>& piece : cell.pieces) {
       division.divide(piece, [&](int law, const SurfacePiece<Dim>& part) {
         if (law >= 0) {
@@ -52,6 +53,9 @@ CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> sh
         } else if (law < Division::on_wall_label &&
                    resisting.of(body, Division::body_of(law)) >= 0) {
           made.resisting[Division::body_of(law)].push_back(part);
+        } else if (law < Division::on_wall_label) {
+          Mat<Dim>& sum = made.interface.try_emplace(at, Mat<Dim>::Zero()).first->second;
+          sum += part.area() * part.normal * part.normal.transpose();
         }
         found.area += law >= Division::nobody ? part.area() : 0.0;
       });
