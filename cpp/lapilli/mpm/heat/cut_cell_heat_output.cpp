@@ -123,6 +123,7 @@ void CutCellHeat<Dim>::save(Archive& archive) const {
   }
   archive.write("heat/initial", initial_);
   archive.write("heat/source", source_);
+  archive.write("heat/self_heating", self_heating_.rate());
   archive.write("heat/time", time_);
   laws_.account().save(archive, "heat/laws");
 }
@@ -143,6 +144,7 @@ void CutCellHeat<Dim>::load(const Archive& archive) {
   }
   initial_ = archive.read_number("heat/initial");
   source_ = archive.read_number("heat/source");
+  self_heating_.set_rate(archive.read_number("heat/self_heating"));
   time_ = archive.read_number("heat/time");
   laws_.account().load(archive, "heat/laws");
 }

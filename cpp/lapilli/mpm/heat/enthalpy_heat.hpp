@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "lapilli/core/self_heating.hpp"
 #include "lapilli/mpm/heat/heat_part.hpp"
 #include "lapilli/mpm/heat/nodal_enthalpy.hpp"
 #include "lapilli/mpm/heat/nodal_range.hpp"
@@ -63,6 +64,7 @@ class EnthalpyHeat final : public Physics, public HasSurface {
   // The phases of a step.
   void conduct(Solved& one, double size) const;
   void release_sources(Solved& one, const Step& step);
+  void find_self_heating();
   void exchange_with_surroundings(const Step& step);
   void store(Solved& one) const;
 
@@ -95,7 +97,8 @@ class EnthalpyHeat final : public Physics, public HasSurface {
   TemperatureRange range_;  // that conduction and exchange can reach
   bool melts_ = false, has_sources_ = false;
   double initial_ = 0.0, source_ = 0.0;  // J
-  double time_ = 0.0;                    // s
+  SelfHeating self_heating_;
+  double time_ = 0.0;  // s
   std::unique_ptr<PointArray> output_temperature_, output_flux_, output_liquid_;
 };
 

@@ -158,6 +158,7 @@ void EnthalpyHeat<Dim>::save(Archive& archive) const {
   archive.write("heat/through_contact", through_contact_);
   archive.write("heat/initial", initial_);
   archive.write("heat/source", source_);
+  archive.write("heat/self_heating", self_heating_.rate());
   archive.write("heat/time", time_);
   laws_.account().save(archive, "heat/laws");
 }
@@ -173,6 +174,7 @@ void EnthalpyHeat<Dim>::load(const Archive& archive) {
   archive.read("heat/through_contact", std::span<double>(through_contact_));
   initial_ = archive.read_number("heat/initial");
   source_ = archive.read_number("heat/source");
+  self_heating_.set_rate(archive.read_number("heat/self_heating"));
   time_ = archive.read_number("heat/time");
   laws_.account().load(archive, "heat/laws");
 }

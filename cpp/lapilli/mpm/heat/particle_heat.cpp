@@ -80,7 +80,7 @@ ParticleHeat<Dim>::ParticleHeat(Points& points, HeatProblem<Dim> problem)
     laws_.require_all_used();
   }
   if (source_ && source_->depends_on_state()) {
-    find_growth(0.0);
+    find_self_heating(0.0);
   }
   initial_ = balances().front().stored;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lapilli/core/says_model.hpp"
+#include "lapilli/core/self_heating.hpp"
 #include "lapilli/mpm/heat/boundary_conditions.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/heat/heat_source.hpp"
@@ -77,7 +78,7 @@ class ParticleHeat final : public Physics, public HasSurface, public SaysModel {
 
   void exchange_at_points(const Step& step);
   void heat_by_sources(const Step& step);
-  void find_growth(double time);
+  void find_self_heating(double time);
   double blend(double step) const;
   void show(const std::vector<double>& nodal);
   std::vector<double> supplied() const;
@@ -110,7 +111,7 @@ class ParticleHeat final : public Physics, public HasSurface, public SaysModel {
   StepLimit limit_;
   double carried_limit_ = std::numeric_limits<double>::infinity();  // s, of FLIP at the start
   TemperatureRange range_;
-  double growth_ = 0.0;          // 1/s, of sources that heat themselves
+  SelfHeating self_heating_;
   Index limited_ordering_ = -1;  // ordering that limit_ was bounded for
   double initial_ = 0.0;         // J
   double plastic_ = 0.0;         // J, from plastic work

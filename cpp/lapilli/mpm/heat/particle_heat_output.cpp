@@ -141,7 +141,7 @@ void ParticleHeat<Dim>::save(Archive& archive) const {
     sub_cycle_->save(archive);
   }
   archive.write("heat/initial", initial_);
-  archive.write("heat/growth", growth_);
+  archive.write("heat/self_heating", self_heating_.rate());
   archive.write("heat/plastic", plastic_);
   if (books_removed_) {
     archive.write("heat/removed", removed_);
@@ -177,7 +177,7 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
   if (books_removed_) {
     removed_ = archive.read_number("heat/removed");
   }
-  growth_ = archive.read_number("heat/growth");
+  self_heating_.set_rate(archive.read_number("heat/self_heating"));
   range_ = plastic_ != 0.0 ? TemperatureRange{} : range_;
   if (source_) {
     source_->set_booked(archive.read_number("heat/source"));
