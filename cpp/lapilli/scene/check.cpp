@@ -9,6 +9,7 @@
 #include "lapilli/core/memory.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/says_model.hpp"
+#include "lapilli/core/warnings.hpp"
 #include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/body_volumes.hpp"
@@ -222,6 +223,9 @@ void describe_choices(const Simulation& simulation, CheckReport& report) {
   for (const auto& physics : simulation.physics()) {
     if (const auto* chooser = dynamic_cast<const SaysModel*>(physics.get())) {
       std::ranges::copy(chooser->modelled(), std::back_inserter(report.modelled));
+    }
+    if (const auto* warner = dynamic_cast<const Warnings*>(physics.get())) {
+      std::ranges::copy(warner->warnings(), std::back_inserter(report.notes));
     }
   }
 }

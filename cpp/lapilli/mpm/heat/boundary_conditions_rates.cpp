@@ -157,7 +157,7 @@ void BoundaryConditions<Dim>::require_absolute(std::size_t law,
   }
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                    \
+#define LAPILLI_INSTANTIATE(Dim)                                                            \
   template void BoundaryConditions<Dim>::evaluate(std::span<const double>, double, double); \
   template void BoundaryConditions<Dim>::evaluate_over(std::span<const double>, double, double);
 LAPILLI_INSTANTIATE(1)

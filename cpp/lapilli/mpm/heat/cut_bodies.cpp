@@ -39,6 +39,11 @@ template <int Dim>
 CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> shapes,
                       std::size_t body, const PairEntries& resisting, SurfaceFound& found) {
   using Division = SurfaceDivision<Dim>;
+  constexpr double along_axis = 1.0 - 1e-6;
+  std::vector<double> conductivity;
+  for (const HeatBody& one : problem.bodies) {
+    conductivity.push_back(largest_conductivity(one.material));
+  }
   CutBody<Dim> made;
   made.cells = cut_shape<Dim>(shapes[body], problem.grid, CubeLayout(problem.shape));
   const std::vector<const Shape*> regions = regions_of(problem.settings.boundaries);
@@ -56,6 +61,11 @@ CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> sh
         } else if (law < Division::on_wall_label) {
           Mat<Dim>& sum = made.interface.try_emplace(at, Mat<Dim>::Zero()).first->second;
           sum += part.area() * part.normal * part.normal.transpose();
+          const double better = conductivity[Division::body_of(law)] / conductivity[body];
+          if (better > 1.0) {
+            found.better = std::max(found.better, better);
+            found.slanted += part.normal.cwiseAbs().maxCoeff() < along_axis ? part.area() : 0.0;
+          }
         }
         found.area += law >= Division::nobody ? part.area() : 0.0;
       });

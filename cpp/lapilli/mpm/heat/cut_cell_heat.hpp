@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "lapilli/core/self_heating.hpp"
+#include "lapilli/core/warnings.hpp"
 #include "lapilli/mpm/heat/adaptive_steps.hpp"
 #include "lapilli/mpm/heat/heat_part.hpp"
 #include "lapilli/mpm/heat/nodal_range.hpp"
@@ -20,7 +21,7 @@ namespace lapilli {
 /// Conduction is explicit (or theta), the surface implicit in either:
 ///   (C + dt M) dT = dt (-K T + E(T)),  E_I = integral of S_I rate(T) dA.
 template <int Dim>
-class CutCellHeat final : public Physics, public HasSurface {
+class CutCellHeat final : public Physics, public HasSurface, public Warnings {
  public:
   CutCellHeat(Points& points, HeatProblem<Dim> problem);
 
@@ -35,6 +36,7 @@ class CutCellHeat final : public Physics, public HasSurface {
   std::vector<Balance> balances() const override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
   SurfaceView surface() const override;
+  std::vector<std::string> warnings() const override;
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
 

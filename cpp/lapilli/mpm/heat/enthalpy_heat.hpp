@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "lapilli/core/self_heating.hpp"
+#include "lapilli/core/warnings.hpp"
 #include "lapilli/mpm/heat/heat_part.hpp"
 #include "lapilli/mpm/heat/nodal_enthalpy.hpp"
 #include "lapilli/mpm/heat/nodal_range.hpp"
@@ -18,7 +19,7 @@ namespace lapilli {
 /// surface is taken implicitly by Newton's method in H, all of it explicit in the conduction:
 ///   H + dt M (T(H) - T) = H0 + dt (-sum of K_b phi_b(T) + sources + E(T)).
 template <int Dim>
-class EnthalpyHeat final : public Physics, public HasSurface {
+class EnthalpyHeat final : public Physics, public HasSurface, public Warnings {
  public:
   EnthalpyHeat(Points& points, HeatProblem<Dim> problem);
 
@@ -33,6 +34,7 @@ class EnthalpyHeat final : public Physics, public HasSurface {
   std::vector<Balance> balances() const override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
   SurfaceView surface() const override;
+  std::vector<std::string> warnings() const override;
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
 

@@ -3,6 +3,7 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/enthalpy_heat.hpp"
+#include "lapilli/mpm/heat/slanted_interfaces.hpp"
 #include "lapilli/mpm/surface/cut_shape.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
 
@@ -149,6 +150,11 @@ SurfaceView EnthalpyHeat<Dim>::surface() const {
 }
 
 template <int Dim>
+std::vector<std::string> EnthalpyHeat<Dim>::warnings() const {
+  return slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
+}
+
+template <int Dim>
 void EnthalpyHeat<Dim>::save(Archive& archive) const {
   for (std::size_t k = 0; k < solved_.size(); ++k) {
     archive.write(message("heat/temperature ", k), solved_[k].part.temperature);
@@ -184,6 +190,7 @@ void EnthalpyHeat<Dim>::load(const Archive& archive) {
   template std::vector<Field> EnthalpyHeat<Dim>::fields();                                     \
   template std::vector<Balance> EnthalpyHeat<Dim>::balances() const;                           \
   template std::vector<std::pair<std::string, double>> EnthalpyHeat<Dim>::diagnostics() const; \
+  template std::vector<std::string> EnthalpyHeat<Dim>::warnings() const;                       \
   template SurfaceView EnthalpyHeat<Dim>::surface() const;                                     \
   template void EnthalpyHeat<Dim>::save(Archive& archive) const;                               \
   template void EnthalpyHeat<Dim>::load(const Archive& archive);
