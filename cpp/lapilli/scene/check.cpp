@@ -225,7 +225,10 @@ void describe_choices(const Simulation& simulation, CheckReport& report) {
       std::ranges::copy(chooser->modelled(), std::back_inserter(report.modelled));
     }
     if (const auto* warner = dynamic_cast<const Warnings*>(physics.get())) {
-      std::ranges::copy(warner->warnings(), std::back_inserter(report.notes));
+      std::ranges::copy_if(warner->warnings(), std::back_inserter(report.notes),
+                           [notes = report.notes](const std::string& warning) {
+                             return std::ranges::find(notes, warning) == notes.end();
+                           });
     }
   }
 }
