@@ -876,7 +876,7 @@ class Newtonian:
     thermal_expansion : float, 1/K, default 0.0
         thermal expansion per volume
     reference_temperature : float, K, default 0.0
-        at which the fluid has its density
+        at which the fluid has its density; 0: the mean of the fluid
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
     __signature__: typing.ClassVar[inspect.Signature]
@@ -903,7 +903,7 @@ class Newtonian:
     @property
     def reference_temperature(self) -> float:
         """
-        at which the fluid has its density, K
+        at which the fluid has its density; 0: the mean of the fluid, K
         """
     @reference_temperature.setter
     def reference_temperature(self, value: float) -> None:
