@@ -62,7 +62,7 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   book_waiting(step.size);
   project_to_grid(data_, step.size);
   if (loads_) {
-    loads_->add_forces(data_, step.time);
+    loads_->add_forces(data_, step.time, step.size);
   }
   const NodeSums nodes = solve_nodes(step);
   const double load_work = loads_ ? loads_->work() : 0.0;
@@ -75,6 +75,9 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
     divide_second_velocity(data_);
     if (contacts_) {
       contacts_->push_second(data_, step.size);
+    }
+    if (obstacles_) {
+      obstacles_->push_second(data_);
     }
     hold_second_velocity(data_);
   }

@@ -164,14 +164,14 @@ void SurfaceLoads<Dim>::find_surface(const DynamicsData<Dim>& data) {
 }
 
 template <int Dim>
-void SurfaceLoads<Dim>::add_forces(DynamicsData<Dim>& data, double time) {
+void SurfaceLoads<Dim>::add_forces(DynamicsData<Dim>& data, double time, double step) {
   find_surface(data);
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     Nodes& n = nodes_[law];
     const auto* traction = std::get_if<Traction>(&laws_[law]);
     const Value& value =
         traction != nullptr ? traction->factor : std::get<Pressure>(laws_[law]).value;
-    value.evaluate(n.position, {}, time, n.value);
+    value.evaluate_mean(n.position, {}, time, time + step, n.value);
     for (std::size_t k = 0; k < n.node.size(); ++k) {
       if (traction != nullptr) {
         n.force[k] = n.area[k] * n.value[k] * Eigen::Map<const Vec<Dim>>(traction->value.data());

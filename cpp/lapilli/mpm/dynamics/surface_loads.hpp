@@ -23,9 +23,9 @@ class SurfaceLoads {
   /// of a law selects none of it.
   SurfaceLoads(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem);
 
-  /// Find the surface and add the force of every law at `time` to the nodal forces (`increment`
-  /// before the nodes are solved).
-  void add_forces(DynamicsData<Dim>& data, double time);
+  /// Find the surface and add the force of every law, its mean over a step from `time` on, to the
+  /// nodal forces (`increment` before the nodes are solved): a pulse has its impulse in any step.
+  void add_forces(DynamicsData<Dim>& data, double time, double step);
   /// Book the work and impulse of the forces over a step, after the nodes are solved.
   void book(const DynamicsData<Dim>& data, double step);
 
