@@ -21,7 +21,8 @@ struct Known {
 
 // A name may begin or go on with others where a pattern has an underscore; the last one counts.
 constexpr Known known_diagnostics[] = {
-    {"_force_", "N", true, "force on an obstacle, a component"},
+    {"_force_", "N", true,
+     "force on an obstacle, or of one body on another (on the second named), a component"},
     {"_torque_", "N m", true, "torque on an obstacle about its centre, a component"},
     {"_work", "J", true, "work of an obstacle on the material so far"},
     {"_contacts", "", false, "points that an obstacle pushes now"},
@@ -59,6 +60,11 @@ constexpr Known known_diagnostics[] = {
     {"wall_friction", "J", true, "work dissipated by friction on walls so far"},
     {"wall_impact", "J", true, "kinetic energy lost in impact on walls so far"},
     {"transfer_loss", "J", true, "kinetic energy lost between points and grid so far"},
+    {"contact_friction", "J", true, "energy given by friction between bodies so far, below 0"},
+    {"contact_impact", "J", true, "energy given by impacts between bodies so far, below 0"},
+    {"contact_nodes", "", false, "nodes where bodies push each other now"},
+    {"energy_gained", "J", true,
+     "energy that nothing put in so far; what dissipates counts below 0"},
     {"removed_points", "", false, "points that left the grid and were removed so far"},
     {"removed_mass", "kg", true, "mass of points that left the grid and were removed so far"},
     {"damping_loss", "J", true, "energy that local damping has taken so far"},

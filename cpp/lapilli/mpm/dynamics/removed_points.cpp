@@ -80,6 +80,10 @@ void Dynamics<Dim>::load_removed(const Archive& archive) {
 template <int Dim>
 std::vector<std::string> Dynamics<Dim>::warnings() const {
   std::vector<std::string> all = lapilli::warnings(data_.settings);
+  if (loads_) {
+    const std::vector<std::string> lost = loads_->warnings();
+    all.insert(all.end(), lost.begin(), lost.end());
+  }
   if (removed_.points > 0.0) {
     all.push_back(message(removed_.points,
                           " points left the grid and were removed: ", removed_.mass, " kg",
