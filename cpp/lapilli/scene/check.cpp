@@ -13,6 +13,7 @@
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
+#include "lapilli/scene/check_stages.hpp"
 #include "lapilli/scene/memory.hpp"
 #include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/run_scene.hpp"
@@ -265,6 +266,15 @@ void describe_steps(const Scene& scene, Simulation& simulation, CheckReport& rep
       static_cast<Index>(spans) * steps_in(every) + steps_in(std::max(0.0, end - spans * every));
 }
 
+// Steps of later stages count by their points.
+double steps_of_all_stages(const CheckReport& report) {
+  auto steps = static_cast<double>(report.steps);
+  for (const CheckReport::StageReport& stage : report.stages) {
+    steps += static_cast<double>(stage.steps * stage.points) / static_cast<double>(report.points);
+  }
+  return steps;
+}
+
 // The first step also assembles what later ones use, so it is not counted.
 void measure_steps(Simulation& simulation, CheckReport& report) {
   constexpr double patience = 0.3;  // s
@@ -283,9 +293,9 @@ void measure_steps(Simulation& simulation, CheckReport& report) {
   } catch (const RunError& error) {
     report.notes.push_back(message("fails soon: ", error.what()));
   }
-  report.seconds_to_run = taken == 0 ? seconds_of_first
-                                     : seconds_since(start) / static_cast<double>(taken) *
-                                           static_cast<double>(report.steps);
+  report.seconds_to_run =
+      taken == 0 ? seconds_of_first
+                 : seconds_since(start) / static_cast<double>(taken) * steps_of_all_stages(report);
 }
 
 // What a run leaves on disk, before compression: the fields asked for at every frame.
@@ -298,8 +308,9 @@ double output_of(const Scene& scene, Simulation& simulation) {
       bytes += numbers * (frames.single ? 4.0 : 8.0);
     }
   }
-  const double every = scene.output.every.value_or(scene.time.end);
-  const double count = 2.0 + (every > 0.0 ? std::floor(scene.time.end / every) : 0.0);
+  const double end = simulation.end(), every = scene.output.every.value_or(end);
+  const double count = 2.0 + static_cast<double>(scene.stages.size()) +
+                       (every > 0.0 ? std::floor(end / every) : 0.0);
   return bytes * count * static_cast<double>(simulation.points().size());
 }
 
@@ -343,6 +354,7 @@ CheckReport check(const Scene& scene) {
   report.memory =
       memory_of(scene, static_cast<double>(report.nodes), static_cast<double>(report.points));
   report.output = output_of(scene, *simulation);
+  describe_stages(scene, *simulation, report);
   measure_steps(*simulation, report);
   describe_choices(*simulation, report);  // how often heat steps is known by now
   return report;

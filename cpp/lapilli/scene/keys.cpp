@@ -68,6 +68,8 @@ class KeyTables {
       return "integer";
     } else if constexpr (std::is_same_v<T, std::string> || Named<T>) {
       return "string";
+    } else if constexpr (std::is_same_v<T, Overrides>) {
+      return "table";
     } else if constexpr (std::is_same_v<T, Value>) {
       return "number or `{times, values}`";
     } else if constexpr (std::is_same_v<T, SymmetricTensor>) {

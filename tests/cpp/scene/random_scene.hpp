@@ -45,6 +45,11 @@ class RandomMembers {
         }
         member = std::move(table);
       }
+    } else if constexpr (std::is_same_v<T, Overrides>) {
+      member.entries.clear();
+      for (std::size_t k = below(3); k > 0; --k) {
+        member.entries.push_back({std::to_string(k) + text(), {}, {number(Key("")), {}}});
+      }
     } else if constexpr (Named<T>) {
       const auto count = std::size(Names<T>::values);
       member = Names<T>::values[below(count)].first;

@@ -107,6 +107,16 @@ std::vector<Balance> ParticleHeat<Dim>::balances() const {
 }
 
 template <int Dim>
+std::vector<double> ParticleHeat<Dim>::stored_in(std::span<const Index> rows) const {
+  const std::vector<double> now = temperature_now();
+  double heat = 0.0;
+  for (const Index row : rows) {
+    heat += capacity_[row] * now[row];
+  }
+  return {heat};
+}
+
+template <int Dim>
 void ParticleHeat<Dim>::release(std::span<const Index> rows) {
   for (const Index row : rows) {
     removed_ += capacity_[row] * temperature_[row];
@@ -204,6 +214,7 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
   template std::vector<Balance> ParticleHeat<Dim>::balances() const;                           \
   template void ParticleHeat<Dim>::release(std::span<const Index>);                            \
   template std::vector<std::pair<std::string, double>> ParticleHeat<Dim>::diagnostics() const; \
+  template std::vector<double> ParticleHeat<Dim>::stored_in(std::span<const Index>) const;     \
   template void ParticleHeat<Dim>::save(Archive& archive) const;                               \
   template void ParticleHeat<Dim>::load(const Archive& archive);
 LAPILLI_INSTANTIATE(1)

@@ -6,6 +6,7 @@
 
 #include "lapilli/core/in_space.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/transfer/point_start.hpp"
 
 namespace lapilli {
 namespace {
@@ -39,7 +40,8 @@ double farthest(const Grid<Dim>& grid, const Shape& shape, const Vec3& center) {
 
 template <int Dim>
 ObstacleContacts<Dim>::ObstacleContacts(const DynamicsData<Dim>& data, const Obstacle& obstacle,
-                                        std::string name, std::vector<double> radii)
+                                        std::string name, std::vector<double> radii,
+                                        const PointStart* before, int earlier)
     : obstacle_(obstacle),
       name_(std::move(name)),
       radii_(std::move(radii)),
@@ -53,6 +55,16 @@ ObstacleContacts<Dim>::ObstacleContacts(const DynamicsData<Dim>& data, const Obs
     const double wave = std::sqrt(material.wave_modulus / material.density);
     lags_.push_back(lag_cells * data.grid.cell_size() / wave);
   }
+  if (before != nullptr && earlier >= 0) {
+    motion_.load(*before->state, message("dynamics/obstacles/", earlier));
+  } else {
+    motion_.set_time(before != nullptr ? before->time : 0.0);
+    require_nothing_inside(data);
+  }
+}
+
+template <int Dim>
+void ObstacleContacts<Dim>::require_nothing_inside(const DynamicsData<Dim>& data) const {
   Index deepest = -1;
   double depth = 1e-6 * data.grid.cell_size();
   for (Index row = 0; row < data.points.size(); ++row) {

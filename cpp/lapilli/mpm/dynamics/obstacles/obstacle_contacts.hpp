@@ -17,10 +17,11 @@ namespace lapilli {
 template <int Dim>
 class ObstacleContacts {
  public:
-  /// `radii`: half the spacing of the points of each body, m. Throws std::invalid_argument naming
-  /// the deepest point that starts inside the obstacle.
+  /// `radii`: half the spacing of the points of each body, m. `before` (may be null): the state in
+  /// which `earlier` is where it goes on from. Throws std::invalid_argument naming the deepest
+  /// point that starts inside an obstacle that does not go on.
   ObstacleContacts(const DynamicsData<Dim>& data, const Obstacle& obstacle, std::string name,
-                   std::vector<double> radii);
+                   std::vector<double> radii, const PointStart* before = nullptr, int earlier = -1);
 
   /// Contacts of the points where they are. No point has moved farther than `travelled` (m, since
   /// the start) plus `reach`.
@@ -56,6 +57,7 @@ class ObstacleContacts {
   // Of a point: clearance, the step it belongs to, and its impulse (push, drag, felt).
   static constexpr int stamp = 1, held = 2, kept = 4 + Dim;
 
+  void require_nothing_inside(const DynamicsData<Dim>& data) const;
   double clearance(const Vec3& x) const { return distance(obstacle_.shape, motion_.reference(x)); }
   bool place_on_nodes(const DynamicsData<Dim>& data, Contact<Dim>& contact) const;
   Contact<Dim> contact_at(const DynamicsData<Dim>& data, Index row, const Vec3& x, double gap,

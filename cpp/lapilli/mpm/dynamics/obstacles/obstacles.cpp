@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/transfer/point_start.hpp"
 
 namespace lapilli {
 namespace {
@@ -35,9 +36,13 @@ Obstacles<Dim>::Obstacles(const DynamicsData<Dim>& data, const DynamicsProblem<D
     radii.push_back(body.half_width * data.grid.cell_size());
   }
   int index = 0;
+  const PointStart* before = problem.start.get();
   for (const Obstacle& obstacle : data.settings.obstacles) {
     const std::string name = obstacle.name.empty() ? message("obstacle ", index) : obstacle.name;
-    each_.push_back(std::make_unique<ObstacleContacts<Dim>>(data, obstacle, name, radii));
+    const int earlier =
+        before != nullptr && !before->obstacle.empty() ? before->obstacle[index] : -1;
+    each_.push_back(
+        std::make_unique<ObstacleContacts<Dim>>(data, obstacle, name, radii, before, earlier));
     ++index;
   }
 }
