@@ -108,10 +108,11 @@ std::vector<Balance> ParticleHeat<Dim>::balances() const {
 
 template <int Dim>
 std::vector<double> ParticleHeat<Dim>::stored_in(std::span<const Index> rows) const {
-  const std::vector<double> now = temperature_now();
+  const bool ahead = sub_cycle_ && sub_cycle_->ahead() > 0.0;
+  const std::vector<double> pending = ahead ? temperature_now() : std::vector<double>();
   double heat = 0.0;
   for (const Index row : rows) {
-    heat += capacity_[row] * now[row];
+    heat += capacity_[row] * (ahead ? pending[row] : temperature_[row]);
   }
   return {heat};
 }
