@@ -26,9 +26,9 @@ class Page(NamedTuple):
 
 PAGES = {
     "scene": Page(
-        "Top of a scene, time, output, probes",
-        "What every scene has, and what it writes.",
-        ("top of the file", "[time]", "[output]", "[[probes]]"),
+        "Top of a scene, time, output, probes, stages",
+        "What every scene has, what it writes, and what may follow in the same run.",
+        ("top of the file", "[time]", "[output]", "[[probes]]", "[[stages]]"),
     ),
     "bodies": Page(
         "Grid and bodies",

@@ -24,14 +24,6 @@ namespace {
 using PhysicsList = std::vector<std::unique_ptr<Physics>>;
 using Parts = Simulation::Stage::Parts;
 
-template <class Wanted>
-const Wanted& material_of(const Body& body) {
-  const auto found = std::find_if(body.material.begin(), body.material.end(), [](const auto& one) {
-    return std::holds_alternative<Wanted>(one);
-  });
-  return std::get<Wanted>(*found);  // validate() has seen to it
-}
-
 template <int Dim>
 Grid<Dim> grid_of(const Scene& scene) {
   return in_file(scene, "grid", [&] {
@@ -117,7 +109,7 @@ std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
   problem.fixed_steps = scene.time.step || scene.time.steps;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const Body& body = scene.bodies[k];
-    problem.bodies.push_back({material_of<Thermal>(body), half_width_of(scene, filled[k]),
+    problem.bodies.push_back({*material_in<Thermal>(body), half_width_of(scene, filled[k]),
                               body.temperature, body.source,
                               beginning.goes_on(k) ? std::nullopt : placed_shape(body), body.name});
   }

@@ -72,7 +72,9 @@ InitialState::InitialState(const StageScene& stage, std::shared_ptr<const Archiv
       same_transfer_(stage.same_transfer),
       at_rest_(stage.at_rest),
       body_before_(stage.body_before),
-      obstacle_before_(stage.obstacle_before) {
+      obstacle_before_(stage.obstacle_before),
+      load_before_(stage.load_before),
+      same_heat_laws_(stage.same_heat_laws) {
   find_rows();
 }
 
@@ -169,6 +171,8 @@ PointStart InitialState::start(const std::vector<FilledPoints>& filled) const {
   start.same_transfer = same_transfer_;
   start.at_rest = at_rest_;
   start.obstacle = obstacle_before_;
+  start.load = load_before_;
+  start.same_heat_laws = same_heat_laws_;
   for (std::size_t body = 0; body < filled.size(); ++body) {
     start.body.push_back(continues(body) ? body_before_[body] : -1);
     const std::vector<Index> ids = ids_of(body, filled);

@@ -38,7 +38,8 @@ class InitialState {
   bool keeps_ids_ = false;
   bool same_transfer_ = false, at_rest_ = false;
   std::vector<int> body_before_;  // by body here, its number there; -1: none
-  std::vector<int> obstacle_before_;
+  std::vector<int> obstacle_before_, load_before_;
+  bool same_heat_laws_ = false;
   std::vector<std::vector<Index>>
       rows_;  // of the other run, by body here, in the order of their ids
 };

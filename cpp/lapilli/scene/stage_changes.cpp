@@ -53,7 +53,7 @@ void remove_one(const std::string& name, StageScene& stage) {
   DynamicsSettings& dynamics = *stage.scene.dynamics;
   take_out(stage.scene.bodies, name, stage.body_before, stage.body_number);
   take_out(dynamics.obstacles, name, stage.obstacle_before);
-  take_out(dynamics.boundaries, name);
+  take_out(dynamics.boundaries, name, stage.load_before);
   drop_contacts_of(name, dynamics.contacts);
   if (stage.scene.heat) {
     drop_contacts_of(name, stage.scene.heat->contacts);
@@ -112,6 +112,7 @@ void add_parts(const Scene& scene, std::size_t k, StageScene& stage) {
   }
   for (const DynamicsBoundary& load : added.add_boundaries) {
     dynamics.boundaries.push_back(load);
+    stage.load_before.push_back(-1);
     stage.changes.push_back(
         message("with load ", std::visit([](const auto& one) { return one.kind; }, load)));
   }

@@ -109,6 +109,12 @@ void set_keys(const Scene& scene, std::size_t k, StageScene& stage) {
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(message(where, path, ": ", error.what()));
     }
+    if (one.path == std::vector<std::string>{"dynamics", "boundaries"}) {
+      stage.load_before.assign(stage.scene.dynamics->boundaries.size(), -1);
+    }
+    if (one.path == std::vector<std::string>{"heat", "boundaries"}) {
+      stage.same_heat_laws = false;
+    }
     const std::string value = emit_toml({Tree::Table{{"x", {}, one.value}}, {}});
     stage.changes.push_back(one.value.table() || one.value.array()
                                 ? spelled(one.path) + " changes"

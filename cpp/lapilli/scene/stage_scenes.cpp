@@ -45,6 +45,7 @@ StageScene first_of(Scene scene) {
   std::iota(first.body_number.begin(), first.body_number.end(), Index{0});
   if (scene.dynamics) {
     first.obstacle_before.assign(scene.dynamics->obstacles.size(), -1);
+    first.load_before.assign(scene.dynamics->boundaries.size(), -1);
   }
   first.scene = std::move(scene);
   return first;
@@ -72,6 +73,25 @@ void require_same_obstacles(const Scene& scene, std::size_t k, const StageScene&
   }
 }
 
+/// Points keep their mass, whatever they are made of.
+void require_same_densities(const Scene& scene, std::size_t k, const StageScene& before,
+                            const StageScene& next) {
+  const auto density = [](const Body& body) {
+    const std::vector<Solid> solids = solids_in(body);
+    return solids.empty() ? 0.0 : elastic_part(solids.front()).density;
+  };
+  for (std::size_t one = 0; one < next.body_before.size(); ++one) {
+    const int earlier = next.body_before[one];
+    if (earlier >= 0) {
+      const double now = density(next.scene.bodies[one]);
+      const double then = density(before.scene.bodies[static_cast<std::size_t>(earlier)]);
+      require_at(now == then, scene, stage_path(k) + ".set", "makes body ",
+                 next.scene.bodies[one].name, " of a density of ", now, " kg/m^3, it was ", then,
+                 ": bodies that go on keep their mass");
+    }
+  }
+}
+
 StageScene after(const StageScene& before, const Scene& scene, std::size_t k) {
   const Stage& stage = scene.stages[k];
   StageScene next;
@@ -91,11 +111,14 @@ StageScene after(const StageScene& before, const Scene& scene, std::size_t k) {
   }
   next.obstacle_before.resize(before.scene.dynamics->obstacles.size());
   std::iota(next.obstacle_before.begin(), next.obstacle_before.end(), 0);
+  next.load_before.resize(before.scene.dynamics->boundaries.size());
+  std::iota(next.load_before.begin(), next.load_before.end(), 0);
   remove_parts(scene, k, next);
   set_keys(scene, k, next);
   next.scene = with_resolved_files(std::move(next.scene));
   next.scene.places.reset();
   require_same_obstacles(scene, k, before, next);
+  require_same_densities(scene, k, before, next);
   add_parts(scene, k, next);
   next.same_transfer = next.scene.dynamics->transfer == before.scene.dynamics->transfer;
   if (stage.reset_velocity) {

@@ -14,6 +14,8 @@ struct StageScene {
   double start = 0.0;                // s
   std::vector<int> body_before;      // by body here, its number in the stage before; -1: new
   std::vector<int> obstacle_before;  // the same of obstacles
+  std::vector<int> load_before;      // and of loads
+  bool same_heat_laws = true;        // as the stage before, but for their values
   std::vector<Index> body_number;    // by body here, counted over all stages
   bool same_transfer = true;         // as the stage before
   bool at_rest = false;              // bodies that go on begin without velocity

@@ -182,20 +182,6 @@ std::vector<Balance> Dynamics<Dim>::balances() const {
 }
 
 template <int Dim>
-std::vector<double> Dynamics<Dim>::stored_in(std::span<const Index> rows) const {
-  const Vec<Dim> gravity = data_.gravity.template head<Dim>();
-  std::vector<double> stored(1 + Dim, 0.0);
-  for (const Index row : rows) {
-    const double height = gravity.dot(data_.points.template position<Dim>(row));
-    stored[0] += kinetic_energy_of(row) - data_.mass[row] * height + elastic_energy_of(row);
-    for (int axis = 0; axis < Dim; ++axis) {
-      stored[1 + axis] += data_.mass[row] * data_.velocity[row * Dim + axis];
-    }
-  }
-  return stored;
-}
-
-template <int Dim>
 SurfaceView Dynamics<Dim>::surface() const {
   return loads_ ? loads_->surface() : SurfaceView{};
 }
@@ -291,8 +277,6 @@ template std::vector<Balance> Dynamics<2>::balances() const;
 template std::vector<Balance> Dynamics<3>::balances() const;
 template std::vector<std::pair<std::string, double>> Dynamics<2>::diagnostics() const;
 template std::vector<std::pair<std::string, double>> Dynamics<3>::diagnostics() const;
-template std::vector<double> Dynamics<2>::stored_in(std::span<const Index>) const;
-template std::vector<double> Dynamics<3>::stored_in(std::span<const Index>) const;
 template SurfaceView Dynamics<2>::surface() const;
 template SurfaceView Dynamics<3>::surface() const;
 template std::vector<std::string> Dynamics<2>::modelled() const;

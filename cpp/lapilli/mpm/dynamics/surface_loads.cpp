@@ -5,6 +5,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/cell_sums.hpp"
 #include "lapilli/mpm/surface/surface_regions.hpp"
+#include "lapilli/mpm/transfer/point_start.hpp"
 
 #pragma GCC diagnostic ignored "-Wpsabi"
 
@@ -78,6 +79,10 @@ SurfaceLoads<Dim>::SurfaceLoads(const DynamicsData<Dim>& data, const DynamicsPro
     }
   }
   outside_.start(data.points, problem.distance);
+  keeps_ratios_ = problem.start != nullptr;
+  if (keeps_ratios_) {
+    go_on(*problem.start);
+  }
   find_surface(data);
   compare_with_shapes(data, problem);
   for (std::size_t law = 0; law < laws_.size(); ++law) {
@@ -86,6 +91,23 @@ SurfaceLoads<Dim>::SurfaceLoads(const DynamicsData<Dim>& data, const DynamicsPro
             region_of(laws_[law]) != nullptr ? "its region covers none that an earlier law left"
                                              : "earlier laws left none");
   }
+}
+
+/// Loads that go on are scaled as they were: bodies have moved away from their shapes.
+template <int Dim>
+void SurfaceLoads<Dim>::go_on(const PointStart& start) {
+  const std::string name = "dynamics/loads/area_ratios";
+  if (start.state == nullptr || start.load.empty() || !start.state->contains(name)) {
+    return;
+  }
+  const std::vector<double> before = start.state->read_numbers(name);
+  std::vector<double> ratios(laws_.size(), 1.0);
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    if (start.load[law] >= 0) {
+      ratios[law] = before.at(static_cast<std::size_t>(start.load[law]));
+    }
+  }
+  ratios_.restore(std::move(ratios));
 }
 
 template <int Dim>
@@ -249,6 +271,9 @@ void SurfaceLoads<Dim>::save(Archive& archive, const std::string& name) const {
     impulse.insert(impulse.end(), of_law.data(), of_law.data() + 3);
   }
   archive.write(name + "/impulse", impulse);
+  if (keeps_ratios_ && !ratios_.values().empty()) {
+    archive.write(name + "/area_ratios", ratios_.values());
+  }
   outside_.save(archive, name + "/outside");
 }
 

@@ -51,6 +51,7 @@ class SurfaceLoads {
     std::vector<Vec<Dim>> force;  // N
   };
 
+  void go_on(const PointStart& start);
   void compare_with_shapes(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem);
   void project_surface(const DynamicsData<Dim>& data);
   NodalAreas<Dim> free_areas(const Grid<Dim>& grid) const;
@@ -65,7 +66,8 @@ class SurfaceLoads {
   Index version_;  // of the points that outside_ belongs to
   NodalSums<Dim> sums_;
   std::vector<double> scratch_[Dim];
-  AreaRatios ratios_;  // of tractions
+  AreaRatios ratios_;          // of tractions
+  bool keeps_ratios_ = false;  // for a next stage
 };
 
 /// "pressure 2" or the name the user gave.

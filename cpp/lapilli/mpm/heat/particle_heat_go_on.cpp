@@ -49,6 +49,14 @@ void ParticleHeat<Dim>::go_on(const PointStart& start) {
   limited_ordering_ = -1;
   bound_step();
   project_to_grid();
+  const std::string ratios = "heat/laws/area_ratios";
+  if (!laws_.empty() && start.same_heat_laws && start.state->contains(ratios)) {
+    AreaRatios before;  // bodies have moved away from their shapes
+    before.restore(start.state->read_numbers(ratios));
+    laws_.compare_areas(std::move(before));
+    surface_found_ = {-1, -1};
+    find_surface();
+  }
   if (source_ && source_->depends_on_state()) {
     find_growth(start.time);
   }
