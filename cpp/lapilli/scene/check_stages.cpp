@@ -28,8 +28,7 @@ void describe_stages(const Scene& scene, Simulation& simulation, CheckReport& re
                                  0.0,        0,           stage.changes};
     const Simulation::Stage& follows = simulation.later_stages()[k - 1];
     try {
-      Simulation::Stage::Parts parts =
-          state ? follows.begin(state) : Simulation::Stage::Parts();
+      Simulation::Stage::Parts parts = state ? follows.begin(state) : Simulation::Stage::Parts();
       if (parts.points) {
         const Simulation trial(std::move(parts.points), std::move(parts.physics), follows.clock);
         one.points = trial.points().size();
