@@ -16,6 +16,16 @@ struct Convert<GivenPoints> {
   static py::object show(const Key& key, const GivenPoints& member);
 };
 
+/// A dict of what keys take, by their paths: numbers, words, lists, tables in time, and dicts as
+/// the tables of a file.
+template <>
+struct Convert<Overrides> {
+  static constexpr bool keeps_object = true;
+  static std::string type_name() { return "dict[str, typing.Any]"; }
+  static void load(const Where& where, py::handle given, Overrides& member);
+  static py::object show(const Key& key, const Overrides& member);
+};
+
 /// A scene that was read from a file remembers where its keys stand there.
 template <>
 struct Extras<Scene> {

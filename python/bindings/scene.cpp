@@ -200,6 +200,8 @@ void bind_scene(py::module_& module) {
   bind_struct<ProbeSettings>(module, "Probe",
                              "A field recorded in time at one position, or at one material point.");
   bind_struct<OutputSettings>(module, "Output", "What a run leaves on disk.");
+  bind_struct<Stage>(module, "Stage",
+                     "What follows in the same run: what changes in the scene, and when it ends.");
   auto scene =
       bind_struct<Scene>(module, "Scene",
                          "All that a run computes, as plain data. A section that is absent "

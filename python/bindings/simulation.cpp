@@ -11,23 +11,26 @@
 #include "lapilli/mpm/surface/surface_view.hpp"
 #include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
+#include "lapilli/scene/resolve_files.hpp"
+#include "lapilli/scene/stage_scenes.hpp"
 
 namespace lapilli::python {
 namespace {
 
 /// A view of numbers that keeps `owner` alive; users may not write to it,
-/// because what a physics evolves need not be what it shows.
-py::array_t<double> view(const py::object& owner, std::span<const double> values,
+/// because what a physics evolves need not be what it shows. A copy where a next stage will let go
+/// of the numbers.
+template <class Number>
+py::array_t<Number> view(const py::object& owner, std::span<const Number> values,
                          const std::vector<py::ssize_t>& shape) {
-  py::array_t<double> array(shape, values.data(), owner);
+  const bool stays = owner.cast<PythonSimulation&>().get().later_stages().empty();
+  py::array_t<Number> array(shape, values.data(), stays ? owner : py::object());
   array.attr("flags").attr("writeable") = false;
   return array;
 }
 
 py::array_t<Index> view(const py::object& owner, std::span<const Index> values) {
-  py::array_t<Index> array({static_cast<py::ssize_t>(values.size())}, values.data(), owner);
-  array.attr("flags").attr("writeable") = false;
-  return array;
+  return view<Index>(owner, values, {static_cast<py::ssize_t>(values.size())});
 }
 
 std::vector<std::string> field_names(PythonSimulation& simulation) {
@@ -42,19 +45,25 @@ py::object field(const py::object& self, const std::string& name) {
   auto& simulation = self.cast<PythonSimulation&>();
   Points& points = simulation.get().points();
   if (name == "position") {
-    return view(self, points.position(), {points.size(), points.dimension()});
+    return view<double>(self, points.position(), {points.size(), points.dimension()});
   }
   if (name == "volume") {
-    return view(self, points.volume(), {points.size()});
+    return view<double>(self, points.volume(), {points.size()});
   }
   if (name == "id" || name == "body") {
+    const std::vector<Index>& numbers = simulation.get().body_numbers();
+    if (name == "body" && !numbers.empty()) {
+      std::vector<Index> bodies(points.body().begin(), points.body().end());
+      std::ranges::transform(bodies, bodies.begin(), [&](Index body) { return numbers[body]; });
+      return view<Index>(self, bodies, {points.size()});
+    }
     return view(self, name == "id" ? points.id() : points.body());
   }
   for (const Field& candidate : simulation.get().fields()) {
     if (candidate.name == name) {
       return candidate.components == 1
-                 ? view(self, candidate.values, {points.size()})
-                 : view(self, candidate.values, {points.size(), candidate.components});
+                 ? view<double>(self, candidate.values, {points.size()})
+                 : view<double>(self, candidate.values, {points.size(), candidate.components});
     }
   }
   throw py::key_error(unknown_name("field", name, field_names(simulation)));
@@ -95,7 +104,9 @@ py::dict diagnostics(PythonSimulation& simulation) {
 
 py::dict volumes(PythonSimulation& simulation) {
   py::dict all;
-  for (const BodyVolume& body : body_volumes(simulation.scene(), simulation.get().points())) {
+  const Simulation& now = simulation.get();
+  const Scene scene = stage_scenes(with_resolved_files(simulation.scene())).at(now.stage()).scene;
+  for (const BodyVolume& body : body_volumes(scene, now.points())) {
     all[py::str(body.name)] = py::make_tuple(body.volume, body.of_shape);
   }
   return all;
@@ -190,7 +201,8 @@ void bind_simulation(py::module_& module) {
           "__getitem__", &field, py::arg("name"),
           ("__getitem__" + self + ", name: str)" + array +
            "\n\nA field as a read-only view without copy, brought up to date, one row per point in "
-           "the present order. It keeps the simulation alive; later steps change it.")
+           "the present order. It keeps the simulation alive; later steps change it. In a scene "
+           "with stages it is a copy.")
               .c_str())
       .def("by_id", &by_id, py::arg("name"),
            ("by_id" + self + ", name: str)" + array +
@@ -233,6 +245,9 @@ void bind_simulation(py::module_& module) {
   property(
       "end", [](PythonSimulation& of) { return of.get().end(); }, "float",
       "time at which the scene ends, s");
+  property(
+      "stage", [](PythonSimulation& of) { return of.get().stage_name(); }, "str",
+      "name of the present stage; empty before the first of them");
   property(
       "step_index", [](PythonSimulation& of) { return of.get().step_index(); }, "int",
       "steps taken");

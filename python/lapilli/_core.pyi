@@ -8,7 +8,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['Annulus', 'Balance', 'Body', 'BodyContact', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'DruckerPrager', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'FunctionSolid', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeatContact', 'HeightField', 'Image', 'Intersection', 'Mesh', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'TabulatedMohrCoulomb', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'VonMises', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify', 'version_text']
+__all__: list[str] = ['Annulus', 'Balance', 'Body', 'BodyContact', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'DruckerPrager', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'FunctionSolid', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeatContact', 'HeightField', 'Image', 'Intersection', 'Mesh', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'Stage', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'TabulatedMohrCoulomb', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'VonMises', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify', 'version_text']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -876,7 +876,7 @@ class Newtonian:
     thermal_expansion : float, 1/K, default 0.0
         thermal expansion per volume
     reference_temperature : float, K, default 0.0
-        at which the fluid has its density
+        at which the fluid has its density; 0: the mean of the fluid
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
     __signature__: typing.ClassVar[inspect.Signature]
@@ -903,7 +903,7 @@ class Newtonian:
     @property
     def reference_temperature(self) -> float:
         """
-        at which the fluid has its density, K
+        at which the fluid has its density; 0: the mean of the fluid, K
         """
     @reference_temperature.setter
     def reference_temperature(self, value: float) -> None:
@@ -4192,6 +4192,107 @@ class Output:
     @precision.setter
     def precision(self, value: typing.Literal['double', 'single']) -> None:
         ...
+class Stage:
+    """
+    What follows in the same run: what changes in the scene, and when it ends.
+    
+    Parameters
+    ----------
+    name : str, required
+        name in messages, balances and results
+    end : float, s, required
+        time at which it ends; the clock goes on from stage to stage; above 0 (s)
+    remove : collections.abc.Sequence[str], default ()
+        names of bodies, obstacles and loads that are taken away
+    set : dict[str, typing.Any], default {}
+        keys of the scene, by their paths, and the values they take
+    add_bodies : list[Body], default []
+        bodies that are new, at rest or as they say
+    add_obstacles : list[Obstacle], default []
+        obstacles that are new
+    add_boundaries : list[Pressure | Traction], default []
+        loads that are new, after those there are
+    reset_velocity : bool, default False
+        take the velocity of all bodies away at its begin
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, name: str, end: float, remove: collections.abc.Sequence[str] = ..., set: dict[str, typing.Any] = ..., add_bodies: list[Body] = ..., add_obstacles: list[Obstacle] = ..., add_boundaries: list[Pressure | Traction] = ..., reset_velocity: bool = ...) -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def add_bodies(self) -> list[Body]:
+        """
+        bodies that are new, at rest or as they say
+        """
+    @add_bodies.setter
+    def add_bodies(self, value: list[Body]) -> None:
+        ...
+    @property
+    def add_boundaries(self) -> list[Pressure | Traction]:
+        """
+        loads that are new, after those there are
+        """
+    @add_boundaries.setter
+    def add_boundaries(self, value: list[Pressure | Traction]) -> None:
+        ...
+    @property
+    def add_obstacles(self) -> list[Obstacle]:
+        """
+        obstacles that are new
+        """
+    @add_obstacles.setter
+    def add_obstacles(self, value: list[Obstacle]) -> None:
+        ...
+    @property
+    def end(self) -> float:
+        """
+        time at which it ends; the clock goes on from stage to stage, s
+        """
+    @end.setter
+    def end(self, value: float) -> None:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        name in messages, balances and results
+        """
+    @name.setter
+    def name(self, value: str) -> None:
+        ...
+    @property
+    def remove(self) -> collections.abc.Sequence[str]:
+        """
+        names of bodies, obstacles and loads that are taken away
+        """
+    @remove.setter
+    def remove(self, value: collections.abc.Sequence[str]) -> None:
+        ...
+    @property
+    def reset_velocity(self) -> bool:
+        """
+        take the velocity of all bodies away at its begin
+        """
+    @reset_velocity.setter
+    def reset_velocity(self, value: bool) -> None:
+        ...
+    @property
+    def set(self) -> dict[str, typing.Any]:
+        """
+        keys of the scene, by their paths, and the values they take
+        """
+    @set.setter
+    def set(self, value: dict[str, typing.Any]) -> None:
+        ...
 class Scene:
     """
     All that a run computes, as plain data. A section that is absent is physics that is not modelled.
@@ -4220,6 +4321,8 @@ class Scene:
         frames and checkpoints
     probes : list[Probe], default []
         fields recorded in time at single positions
+    stages : list[Stage], default []
+        what follows in the same run after time.end: other loads, properties, bodies
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
     __signature__: typing.ClassVar[inspect.Signature]
@@ -4237,7 +4340,7 @@ class Scene:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, title: str = ..., grid: Grid, initial_state: str = ..., bodies: list[Body], heat: Heat | None = ..., dynamics: Dynamics | None = ..., quasi_static: QuasiStatic | None = ..., peridynamics: Peridynamics | None = ..., time: Time, output: Output = ..., probes: list[Probe] = ...) -> None:
+    def __init__(self, *, title: str = ..., grid: Grid, initial_state: str = ..., bodies: list[Body], heat: Heat | None = ..., dynamics: Dynamics | None = ..., quasi_static: QuasiStatic | None = ..., peridynamics: Peridynamics | None = ..., time: Time, output: Output = ..., probes: list[Probe] = ..., stages: list[Stage] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -4334,6 +4437,14 @@ class Scene:
     def quasi_static(self, value: QuasiStatic | None) -> None:
         ...
     @property
+    def stages(self) -> list[Stage]:
+        """
+        what follows in the same run after time.end: other loads, properties, bodies
+        """
+    @stages.setter
+    def stages(self, value: list[Stage]) -> None:
+        ...
+    @property
     def time(self) -> Time:
         """
         end and steps
@@ -4427,7 +4538,7 @@ class Simulation:
         ...
     def __getitem__(self, name: str) -> numpy.typing.NDArray[typing.Any]:
         """
-        A field as a read-only view without copy, brought up to date, one row per point in the present order. It keeps the simulation alive; later steps change it.
+        A field as a read-only view without copy, brought up to date, one row per point in the present order. It keeps the simulation alive; later steps change it. In a scene with stages it is a copy.
         """
     def __init__(self, scene: Scene) -> None:
         ...
@@ -4492,6 +4603,11 @@ class Simulation:
     def position(self) -> numpy.typing.NDArray[numpy.float64]:
         """
         positions (points, dimension), a view, m
+        """
+    @property
+    def stage(self) -> str:
+        """
+        name of the present stage; empty before the first of them
         """
     @property
     def step_index(self) -> int:

@@ -45,17 +45,17 @@ def frames_to_xarray(frames: Frames, fields: Sequence[str] | None) -> xarray.Dat
         for name in ["position", *names]
     }
     units = {name: frames.unit(name) for name in arrays}
-    return dataset(frames.times, frames[0]["id"], frames[0]["body"], arrays, units)
+    return dataset(frames.times, *frames.all_points, arrays, units)
 
 
 def _of_all_points(frame: Frame, name: str) -> Array:
-    """A field with a row for every point of the first frame: NaN for those that have left."""
+    """A field with a row for every point of the run: NaN for those the frame does not have."""
     values: Array = frame[name]
-    count = frame.frames.point_counts[0]
-    if len(values) == count:
+    ids, own = frame.frames.all_points[0], frame["id"]
+    if np.array_equal(own, ids):
         return values
-    padded = np.full((count, *values.shape[1:]), np.nan)
-    padded[frame["id"]] = values
+    padded = np.full((len(ids), *values.shape[1:]), np.nan)
+    padded[np.searchsorted(ids, own)] = values
     return padded
 
 

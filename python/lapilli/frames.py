@@ -124,6 +124,16 @@ class Frames:
             )
         return self[int(np.argmin(np.abs(self.times - time)))]
 
+    @functools.cached_property
+    def all_points(self) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+        """Ids of all points that any frame has, rising, and the body of each. Points leave and come
+        in the course of a run, and none comes back."""
+        first, last = self[0]["id"], self[-1]["id"]
+        if len(set(self.point_counts)) == 1 and np.array_equal(first, last):
+            return first, self[0]["body"]
+        ids, rows = np.unique(np.concatenate([one["id"] for one in self]), return_index=True)
+        return ids, np.concatenate([one["body"] for one in self])[rows]
+
     @property
     def record_path(self) -> Path:
         """Where the run record lies."""
@@ -144,14 +154,14 @@ class Frames:
         if settings is None:
             return None
         walls = (settings.get("peridynamics") or {}).get("walls") or []
-        return [body.get("name", "") for body in [*settings["bodies"], *walls]]
+        return [body.get("name", "") for body in [*_bodies_in(settings), *walls]]
 
     @property
     def body_count(self) -> int:
         """Bodies that are no fluid walls; their points have lower numbers in the field "body". All
         count as bodies where the run record is missing."""
         settings = (self.record or {}).get("settings")
-        return int(np.iinfo(np.int64).max) if settings is None else len(settings["bodies"])
+        return int(np.iinfo(np.int64).max) if settings is None else len(_bodies_in(settings))
 
     @functools.cached_property
     def units(self) -> dict[str, str]:
@@ -206,3 +216,9 @@ class Frames:
         from lapilli.export import frames_to_xarray
 
         return frames_to_xarray(self, fields)
+
+
+def _bodies_in(settings: dict[str, Any]) -> list[dict[str, Any]]:
+    """Bodies of the scene, then those that its stages add."""
+    stages = settings.get("stages") or []
+    return [*settings["bodies"], *(body for one in stages for body in one.get("add_bodies") or [])]

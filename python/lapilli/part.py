@@ -14,9 +14,10 @@ Array = npt.NDArray[Any]
 
 
 def names_of(scene: Scene) -> list[str]:
-    """Names by body number: the bodies of a scene, then its fluid walls."""
+    """Names by body number: the bodies of a scene, those that stages add, then its fluid walls."""
     walls = scene.peridynamics.walls if scene.peridynamics is not None else []
-    return [body.name for body in scene.bodies] + [wall.name for wall in walls]
+    added = [body for stage in scene.stages for body in stage.add_bodies]
+    return [body.name for body in [*scene.bodies, *added]] + [wall.name for wall in walls]
 
 
 class Part:

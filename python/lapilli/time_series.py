@@ -40,16 +40,14 @@ def _names(frame: Frame, field: str) -> list[str]:
 
 
 def _follower(frames: Frames, point: int) -> Callable[[Frame, str], Array]:
-    count = len(frames[0].position)
-    if not 0 <= point < count:
-        raise ValueError(
-            f"there is no point {point} in {frames.path}: ids go from 0 to {count - 1}"
-        )
+    ids = frames.all_points[0]
+    if point not in ids:
+        raise ValueError(f"there is no point {point} in {frames.path}: ids go from 0 to {ids[-1]}")
 
     def read(frame: Frame, field: str) -> Array:
         values = np.asarray(frame[field])
         row = int(np.searchsorted(frame["id"], point))
-        if row == len(values) or frame["id"][row] != point:  # it has left the grid
+        if row == len(values) or frame["id"][row] != point:  # it has left, or not come yet
             return np.full(values[:1].size, np.nan)
         return np.atleast_1d(values[row])
 

@@ -45,7 +45,7 @@ def mistakes(value: Any, schema: dict[str, Any], path: str) -> list[str]:
             wrong.append(f"{path} has {len(value)} entries")
         for k, one in enumerate(value):
             wrong += mistakes(one, schema["items"], f"{path}[{k}]")
-    if kind == "object":
+    if kind == "object" and "properties" in schema:  # else any keys
         known = schema["properties"]
         wrong += [
             f"{path}.{name} is missing" for name in schema.get("required", []) if name not in value

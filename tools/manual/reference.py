@@ -25,9 +25,9 @@ class Page(NamedTuple):
 
 PAGES = {
     "scene": Page(
-        "Top of a scene, time, output, probes",
-        "What every scene has, and what it writes.",
-        ("top of the file", "[time]", "[output]", "[[probes]]"),
+        "Top of a scene, time, output, probes, stages",
+        "What every scene has, what it writes, and what may follow in the same run.",
+        ("top of the file", "[time]", "[output]", "[[probes]]", "[[stages]]"),
     ),
     "bodies": Page(
         "Grid and bodies",
@@ -83,9 +83,7 @@ def pages() -> Iterator[tuple[str, str]]:
 def key_tables() -> dict[str, str]:
     """The tables of `lapilli keys` by their headings."""
     parts = re.split(r"^## `(.+)`\n", _core.keys_as_markdown(""), flags=re.MULTILINE)
-    return {
-        head: text.strip() + "\n" for head, text in zip(parts[1::2], parts[2::2], strict=True)
-    }
+    return {head: text.strip() + "\n" for head, text in zip(parts[1::2], parts[2::2], strict=True)}
 
 
 def fields_page() -> str:

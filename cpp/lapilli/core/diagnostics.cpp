@@ -18,13 +18,15 @@ struct Known {
   const char* unit;
   bool extensive;
   const char* meaning;
+  bool adds_up = false;  // counts what happened: goes on over the stages of a run
 };
 
 // A name may begin or go on with others where a pattern has an underscore; the last one counts.
 constexpr Known known_diagnostics[] = {
-    {"_force_", "N", true, "force on an obstacle, or on a body from another, a component"},
+    {"_force_", "N", true,
+     "force on an obstacle, or of one body on another (on the second named), a component"},
     {"_torque_", "N m", true, "torque on an obstacle about its centre, a component"},
-    {"_work", "J", true, "work of an obstacle on the material so far"},
+    {"_work", "J", true, "work of an obstacle on the material so far", true},
     {"_contacts", "", false, "points that an obstacle pushes now"},
     {"_position_", "m", false, "place of the centre of an obstacle, a component"},
     {"_velocity_", "m/s", false, "velocity of the centre of an obstacle, a component"},
@@ -40,10 +42,10 @@ constexpr Known known_diagnostics[] = {
      "steps of the run that one of heat covers, the mean so far; below 1 where several fit in one"},
     {"time_error", "", false,
      "estimated error of the steps so far, as a share of the span of temperatures"},
-    {"implicit_steps", "", false, "implicit steps taken so far"},
+    {"implicit_steps", "", false, "implicit steps taken so far", true},
+    {"heat_from_", "J", true, "heat that has passed from one body to another", true},
     {"nodal_stray", "K", false,
      "how far nodes are beyond the temperatures of start and surroundings now"},
-    {"heat_from_", "J", true, "heat that has passed from one body to another"},
     {"liquid_volume", "m^3", true, "volume of what has melted"},
     {"iterations", "", false, "iterations of the last solve"},
     {"residual", "", false, "relative residual of the last solve"},
@@ -58,20 +60,20 @@ constexpr Known known_diagnostics[] = {
     {"kinetic_energy", "J", true, "kinetic energy of the points"},
     {"elastic_energy", "J", true, "elastic energy stored"},
     {"potential_energy", "J", true, "energy of weight, zero at the origin"},
-    {"plastic_dissipation", "J", true, "work dissipated by plastic flow so far"},
-    {"wall_friction", "J", true, "work dissipated by friction on walls so far"},
-    {"wall_impact", "J", true, "kinetic energy lost in impact on walls so far"},
-    {"transfer_loss", "J", true, "kinetic energy lost between points and grid so far"},
-    {"removed_points", "", false, "points that left the grid and were removed so far"},
-    {"removed_mass", "kg", true, "mass of points that left the grid and were removed so far"},
-    {"damping_loss", "J", true, "energy that local damping has taken so far"},
-    {"strain_transfer_loss", "J", true, "elastic energy lost between points and grid so far"},
-    {"expansion_work", "J", true, "work of thermal expansion so far"},
-    {"energy_gained", "J", true, "energy that nothing put in so far; negative: lost"},
-    {"contact_friction", "J", true, "work dissipated by friction between bodies so far"},
-    {"contact_impact", "J", true, "kinetic energy lost where bodies met so far"},
+    {"plastic_dissipation", "J", true, "work dissipated by plastic flow so far", true},
+    {"wall_friction", "J", true, "work dissipated by friction on walls so far", true},
+    {"wall_impact", "J", true, "kinetic energy lost in impact on walls so far", true},
+    {"transfer_loss", "J", true, "kinetic energy lost between points and grid so far", true},
+    {"removed_points", "", false, "points that left the grid and were removed so far", true},
+    {"removed_mass", "kg", true, "mass of points that left the grid and were removed so far", true},
+    {"damping_loss", "J", true, "energy that local damping has taken so far", true},
+    {"strain_transfer_loss", "J", true, "elastic energy lost between points and grid so far", true},
+    {"expansion_work", "J", true, "work of thermal expansion so far", true},
+    {"energy_gained", "J", true, "energy that nothing put in so far; negative: lost", true},
+    {"contact_friction", "J", true, "work dissipated by friction between bodies so far", true},
+    {"contact_impact", "J", true, "kinetic energy lost where bodies met so far", true},
     {"contact_nodes", "", false, "nodes where bodies push each other now"},
-    {"load_work", "J", true, "work of pressures and tractions so far"},
+    {"load_work", "J", true, "work of pressures and tractions so far", true},
     {"heat_flow_from_wall_", "W", true, "heat that enters the fluid from a wall now"},
     {"nusselt_number_of_wall_", "", false, "heat flow of a wall over that of pure conduction"},
     {"bond_imbalance", "W", true, "heat that bonds create out of nothing"},
@@ -80,7 +82,7 @@ constexpr Known known_diagnostics[] = {
     {"greatest_density_variation", "", false, "greatest relative deviation of density"},
     {"smallest_spacing", "", false, "least distance of neighbours, in spacings"},
     {"sound_speed", "m/s", false, "sound speed of the weakly compressible fluid"},
-    {"family_searches", "", false, "times neighbours were searched so far"},
+    {"family_searches", "", false, "times neighbours were searched so far", true},
 };
 
 std::string unit_in(int dimension, const Known& known) {
@@ -167,7 +169,8 @@ void add_diagnostics(const Simulation& simulation, std::vector<Scalar>& all) {
     for (const auto& [words, value] : physics->diagnostics()) {
       const std::string name = snake_case(words);
       const Known* known = known_as(name);
-      all.push_back({physics->name() + "/" + name, value,
+      const double earlier = simulation.account().sum(physics->name() + "/" + words);
+      all.push_back({physics->name() + "/" + name, value + earlier,
                      known ? unit_in(simulation.points().dimension(), *known) : "",
                      known ? known->meaning : words});
     }
@@ -190,6 +193,11 @@ std::string snake_case(const std::string& words) {
     name.pop_back();
   }
   return name;
+}
+
+bool counts_what_happened(const std::string& words) {
+  const Known* known = known_as(snake_case(words));
+  return known != nullptr && known->adds_up;
 }
 
 std::vector<Scalar> diagnostics_of(Simulation& simulation) {

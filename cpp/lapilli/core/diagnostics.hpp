@@ -15,6 +15,9 @@ struct Scalar {
   std::string meaning;  // one sentence
 };
 
+/// Whether a diagnostic of a physics is a sum since the start.
+bool counts_what_happened(const std::string& words);
+
 /// The diagnostics of every physics, of the state that fields() shows.
 std::vector<Scalar> diagnostics_of(Simulation& simulation);
 

@@ -81,16 +81,20 @@ StepReport Simulation::step(double until, bool output_due) {
 }
 
 StepReport Simulation::take_step(double until, bool output_due) {
+  if (is_stage_over()) {
+    begin_next_stage();
+  }
   const NextStep next = next_step();
   double size = next.size;
-  const double end = std::min(until, next.stop), left = end - time_;
+  const double stop = stage_ < stages_.size() ? std::min(until, clock_.end) : until;
+  const double end = std::min(stop, next.stop), left = end - time_;
   // A remainder below a millionth of a step is rounding, not a step of its own.
   if (left < size * (1.0 + 1e-6)) {
     size = left;
   } else if (next.even && std::isfinite(left)) {
     size = left / std::ceil(left / size * (1.0 - 1e-6));
   }
-  const bool last = size == left && end == until;
+  const bool last = size == left && end == stop;
   StepReport report = advance(size, output_due || last, last);
   if (size == left && report.accepted == size) {
     time_ = end;
@@ -183,6 +187,7 @@ std::vector<Balance> Simulation::balances() const {
   std::vector<Balance> all;
   for (const auto& physics : physics_) {
     for (Balance& balance : physics->balances()) {
+      account_.add_to(balance);
       balance.largest = all.size() < largest_.size() ? largest_[all.size()] : 0.0;
       balance.unit = extensive_unit(balance.unit, points_->dimension());
       all.push_back(std::move(balance));
@@ -195,9 +200,9 @@ void Simulation::save(Archive& archive) const {
   archive.write("clock/time", time_);
   archive.write("clock/index", index_);
   archive.write("clock/largest_balance", std::span<const double>(largest_));
-  points_->save(archive);
-  for (const auto& physics : physics_) {
-    physics->save(archive);
+  save_state(archive);
+  if (!stages_.empty()) {
+    save_stage(archive);
   }
 }
 
@@ -206,6 +211,9 @@ void Simulation::load(const Archive& archive) {
   time_ = archive.read_number("clock/time");
   index_ = archive.read_index("clock/index");
   largest_ = archive.read_numbers("clock/largest_balance");
+  if (!stages_.empty()) {
+    load_stage(archive);
+  }
   points_->load(archive);
   for (const auto& physics : physics_) {
     physics->load(archive);

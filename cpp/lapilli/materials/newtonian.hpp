@@ -23,7 +23,9 @@ struct Newtonian {
           self.viscosity);
     visit(Key("thermal_expansion").unit("1/K").text("thermal expansion per volume"),
           self.thermal_expansion);
-    visit(Key("reference_temperature").unit("K").text("at which the fluid has its density"),
+    visit(Key("reference_temperature")
+              .unit("K")
+              .text("at which the fluid has its density; 0: the mean of the fluid"),
           self.reference_temperature);
   }
 };

@@ -42,6 +42,17 @@ Column point_column(const char* name, const char* unit, int components, bool is_
   return {name, unit, components, is_index, true, false};
 }
 
+/// The body of every point, by the number that users see.
+std::vector<Index> bodies_of(const Points& points, std::span<const Index> numbers) {
+  std::vector<Index> bodies(points.body().begin(), points.body().end());
+  if (!numbers.empty()) {
+    for (Index& body : bodies) {
+      body = numbers[static_cast<std::size_t>(body)];
+    }
+  }
+  return bodies;
+}
+
 FrameColumn field_column(const Field& field, const Points& points, bool single) {
   require(field.components >= 1 &&
               static_cast<Index>(field.values.size()) == points.size() * field.components,
@@ -106,14 +117,15 @@ void require_fields(std::span<const Field> fields, const FrameOptions& options) 
 }
 
 std::vector<FrameColumn> frame_columns(const Points& points, std::span<const Field> fields,
-                                       const FrameOptions& options) {
+                                       const FrameOptions& options,
+                                       std::span<const Index> body_numbers) {
   require_fields(fields, options);
   static const char* const volume_units[] = {"m", "m^2", "m^3"};
   const int dimension = points.dimension();
   std::vector<FrameColumn> columns = {
       {point_column("Points", "m", 3, false), points.position(), as_vector(dimension)},
       {point_column("PointData/id", "", 1, true), points.id(), {0}},
-      {point_column("PointData/body", "", 1, true), points.body(), {0}},
+      {point_column("PointData/body", "", 1, true), bodies_of(points, body_numbers), {0}},
       {point_column("PointData/volume", volume_units[dimension - 1], 1, false),
        points.volume(),
        {0}},
@@ -136,8 +148,8 @@ Words pack(const FrameColumn& column, std::span<const Index> rows) {
   const std::size_t numbers = rows.size() * column.source.size();
   Words words(column.column.is_single ? (numbers + 1) / 2 : numbers, 0);
   std::visit(
-      [&](auto values) {
-        using Number = std::remove_cv_t<typename decltype(values)::value_type>;
+      [&](const auto& values) {
+        using Number = std::remove_cv_t<typename std::decay_t<decltype(values)>::value_type>;
         if (column.column.is_single) {
           pack_rows<float>(values, column.source, rows, words);
         } else {

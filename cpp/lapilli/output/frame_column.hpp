@@ -32,7 +32,7 @@ using Words = std::vector<std::uint64_t>;
 /// One column and where its values are.
 struct FrameColumn {
   Column column;
-  std::variant<std::span<const double>, std::span<const Index>> values;
+  std::variant<std::span<const double>, std::span<const Index>, std::vector<Index>> values;
   std::vector<int> source;  // which given number each stored one is; -1: zero
 };
 
@@ -41,7 +41,8 @@ struct FrameOptions {
   std::optional<std::vector<std::string>> fields;  // names; not set: every field
   bool single = false;                             // fields as numbers of four bytes
   int compression = 0;                             // 0: none, 1: fast .. 9: small
-  bool points_leave = false;                       // frames may have fewer points than the first
+  bool points_leave = false;                       // frames may differ in their number of points
+  Index most_points = 0;                           // in any frame; 0: as many as in the first
 };
 
 /// Position, id, body and volume: the columns that come first in every frame, always in full
@@ -50,10 +51,12 @@ inline constexpr std::size_t columns_of_every_frame = 4;
 
 /// What a frame stores: positions, id, body and volume of the points, then the fields asked for, in
 /// the order of `fields`. Vectors of two-dimensional scenes get a zero third component, tensors of
-/// 4 or 6 numbers (6: xx, yy, zz, xy, yz, xz) become 9. Throws std::invalid_argument for a field of
-/// the wrong size, a name taken, or one asked for that is not among `fields`.
+/// 4 or 6 numbers (6: xx, yy, zz, xy, yz, xz) become 9. `body_numbers`: what users see of each
+/// body; empty: its number. Throws std::invalid_argument for a field of the wrong size, a name
+/// taken, or one asked for that is not among `fields`.
 std::vector<FrameColumn> frame_columns(const Points& points, std::span<const Field> fields,
-                                       const FrameOptions& options = {});
+                                       const FrameOptions& options = {},
+                                       std::span<const Index> body_numbers = {});
 
 /// Whether frames hold this field.
 bool is_asked_for(const Field& field, const FrameOptions& options);

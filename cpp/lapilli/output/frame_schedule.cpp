@@ -1,13 +1,15 @@
 #include "lapilli/output/frame_schedule.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lapilli/core/require.hpp"
 
 namespace lapilli {
 
-FrameSchedule::FrameSchedule(double interval, Index steps, double end)
-    : interval_(interval), steps_(steps), end_(end) {
+FrameSchedule::FrameSchedule(double interval, Index steps, double end, std::vector<double> stops)
+    : interval_(interval), steps_(steps), end_(end), stops_(std::move(stops)) {
   require(std::isfinite(interval) && interval >= 0.0,
           "the time between frames must be positive (or 0 for the first and last frame only), got ",
           interval, " s");
@@ -20,17 +22,22 @@ FrameSchedule::FrameSchedule(double interval, Index steps, double end)
 }
 
 double FrameSchedule::next_time(double time) const {
+  const auto next = std::ranges::upper_bound(stops_, time);
+  const double stop = next == stops_.end() ? end_ : *next;
   if (interval_ == 0.0) {
-    return end_;
+    return stop;
   }
   double count = std::floor(time / interval_);
   while (count * interval_ <= time) {
     ++count;
   }
-  return reaches_end(count * interval_) ? end_ : count * interval_;
+  return reaches(stop, count * interval_) ? stop : count * interval_;
 }
 
 bool FrameSchedule::is_due(double time, Index step) const {
+  if (std::ranges::binary_search(stops_, time)) {
+    return true;
+  }
   if (steps_ > 0) {
     return step % steps_ == 0;
   }
@@ -47,7 +54,7 @@ Index FrameSchedule::planned() const {
   }
   // The first, the multiples, and one more for the end or an interruption.
   const double multiples = interval_ > 0.0 ? std::floor(end_ / interval_ + 1e-9) : 0.0;
-  return static_cast<Index>(multiples) + 2;
+  return static_cast<Index>(multiples + static_cast<double>(stops_.size())) + 2;
 }
 
 }  // namespace lapilli

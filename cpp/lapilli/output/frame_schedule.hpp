@@ -1,16 +1,20 @@
 #pragma once
 
+#include <vector>
+
 #include "lapilli/core/vector.hpp"
 
 namespace lapilli {
 
 /// When a run writes frames: at the start, at every whole multiple of an interval of time (or after
-/// every so many steps), and at the end. Multiples are computed, not added up.
+/// every so many steps), at the ends of stages, and at the end. Multiples are computed, not added
+/// up.
 class FrameSchedule {
  public:
   /// `interval` in s, or `steps` between frames; both 0: the first and the last frame only. Throws
   /// std::invalid_argument when one is negative, not finite, or both are given.
-  FrameSchedule(double interval, Index steps, double end);
+  /// `stops`: ends of stages before the last, rising.
+  FrameSchedule(double interval, Index steps, double end, std::vector<double> stops = {});
 
   /// Time up to which the clock may step before a frame is due: the next multiple or the end.
   double next_time(double time) const;
@@ -22,11 +26,12 @@ class FrameSchedule {
   Index planned() const;
 
  private:
-  bool reaches_end(double time) const { return time >= end_ - 1e-9 * interval_; }
+  bool reaches(double stop, double time) const { return time >= stop - 1e-9 * interval_; }
 
   double interval_;
   Index steps_;
   double end_;
+  std::vector<double> stops_;
 };
 
 }  // namespace lapilli

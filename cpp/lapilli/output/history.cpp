@@ -36,8 +36,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 void History::add(double time, std::vector<Scalar> scalars, bool keep) {
-  require(numbers_.empty() || scalars.size() == columns_.size(), "the history has ",
-          columns_.size(), " columns, its next row has ", scalars.size());
+  if (!numbers_.empty()) {
+    scalars = aligned(std::move(scalars));
+  }
   numbers_.push_back(time);
   for (const Scalar& scalar : scalars) {
     numbers_.push_back(scalar.value);
@@ -46,6 +47,38 @@ void History::add(double time, std::vector<Scalar> scalars, bool keep) {
   if (keep) {
     kept_ = rows();
   }
+}
+
+/// The scalars as values of all columns, in their order; new ones become the last columns.
+std::vector<Scalar> History::aligned(std::vector<Scalar> scalars) {
+  if (std::ranges::equal(scalars, columns_, {}, &Scalar::name, &Scalar::name)) {
+    return scalars;
+  }
+  std::vector<Scalar> all = columns_;
+  for (Scalar& column : all) {
+    column.value = std::numeric_limits<double>::quiet_NaN();
+  }
+  for (Scalar& scalar : scalars) {
+    const auto known = std::ranges::find(all, scalar.name, &Scalar::name);
+    if (known == all.end()) {
+      all.push_back(std::move(scalar));
+    } else {
+      known->value = scalar.value;
+    }
+  }
+  widen(all.size());
+  return all;
+}
+
+void History::widen(std::size_t columns) {
+  std::vector<double> wide;
+  for (Index row = 0; row < rows(); ++row) {
+    for (std::size_t column = 0; column <= columns; ++column) {
+      wide.push_back(column <= columns_.size() ? at(row, column)
+                                               : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  numbers_ = std::move(wide);
 }
 
 std::string History::to_csv() const {
@@ -63,20 +96,34 @@ std::string History::to_csv() const {
   return text + "\n";
 }
 
-void History::save(Archive& archive) const {
+void History::save(Archive& archive, bool with_units) const {
   const std::size_t kept = static_cast<std::size_t>(kept_) * (columns_.size() + 1);
   archive.write("run/history", std::span(numbers_).first(kept));
-  std::string names;
+  std::string names, units, meanings;
   for (const Scalar& column : columns_) {
     names += column.name + "\n";
+    units += column.unit + "\n";
+    meanings += column.meaning + "\n";
   }
   archive.write("run/history_names", names);
+  if (with_units) {
+    archive.write("run/history_units", units);
+    archive.write("run/history_meanings", meanings);
+  }
 }
 
 void History::load(const Archive& archive, std::vector<Scalar> columns) {
   const std::vector<std::string> names = lines_of(archive.read_text("run/history_names"));
   const std::vector<double> before = archive.read_numbers("run/history");
   columns_ = std::move(columns);
+  if (archive.contains("run/history_units")) {
+    const std::vector<std::string> units = lines_of(archive.read_text("run/history_units"));
+    const std::vector<std::string> meanings = lines_of(archive.read_text("run/history_meanings"));
+    columns_.clear();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      columns_.push_back({names[k], 0.0, units[k], meanings[k]});
+    }
+  }
   std::vector<std::size_t> places;
   for (const Scalar& column : columns_) {
     places.push_back(static_cast<std::size_t>(std::find(names.begin(), names.end(), column.name) -

@@ -14,7 +14,8 @@ namespace lapilli {
 /// Scalars in time: one row for each moment, one column for each scalar.
 class History {
  public:
-  /// Append a row; `keep` whether a resumed run starts with it.
+  /// Append a row; `keep` whether a resumed run starts with it. Columns that are new are NaN so
+  /// far, those that the row does not have are NaN in it: stages of a run may differ in both.
   void add(double time, std::vector<Scalar> scalars, bool keep);
   bool has_row_at(double time) const { return rows() > 0 && at(rows() - 1, 0) == time; }
   /// The last row is one of those that a resumed run starts with.
@@ -30,11 +31,15 @@ class History {
   /// Lines of numbers with commas between, names in the first; empty where there is no number.
   std::string to_csv() const;
 
-  void save(Archive& archive) const;
+  /// `with_units`: so that columns of earlier stages are known when the run is resumed.
+  void save(Archive& archive, bool with_units) const;
   /// Columns that this run does not have are left out, new ones are NaN so far.
   void load(const Archive& archive, std::vector<Scalar> columns);
 
  private:
+  std::vector<Scalar> aligned(std::vector<Scalar> scalars);
+  void widen(std::size_t columns);
+
   std::vector<Scalar> columns_;
   std::vector<double> numbers_;
   Index kept_ = 0;
@@ -53,7 +58,7 @@ class HistoryRecorder {
   void after_step();
 
   const History& history() const { return history_; }
-  void save(Archive& archive) const { history_.save(archive); }
+  void save(Archive& archive) const { history_.save(archive, !simulation_.later_stages().empty()); }
   /// The history of a checkpoint whose state the simulation is in.
   void load(const Archive& archive);
 

@@ -172,7 +172,8 @@ void RunFiles::stop(const RunStatistics& statistics) {
 }
 
 void RunFiles::write_frame(bool keep) {
-  writer_->write(simulation_.time(), simulation_.points(), simulation_.fields());
+  writer_->write(simulation_.time(), simulation_.points(), simulation_.fields(),
+                 simulation_.body_numbers());
   if (keep) {
     kept_frames_ = writer_->frames();
   }

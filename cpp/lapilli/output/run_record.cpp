@@ -40,6 +40,9 @@ void write_steps(JsonWriter& json, const RunStatistics& statistics, const Simula
   json.member("time", simulation.time());
   json.member("end", simulation.end());
   json.member("steps", simulation.step_index());
+  if (!simulation.later_stages().empty()) {
+    json.member("stage", simulation.stage_name());
+  }
   json.member("steps_since_resume", statistics.steps);
   json.member("smallest_step", stepped ? statistics.smallest_step : 0.0);
   json.member("largest_step", statistics.largest_step);
@@ -90,17 +93,18 @@ void write_body(JsonWriter& json, const BodyVolume& body) {
   json.end_object();
 }
 
-void write_physics(JsonWriter& json, const Physics& physics) {
+void write_physics(JsonWriter& json, const Physics& physics, const StageAccount& earlier) {
   json.begin_object();
   json.member("name", physics.name());
   json.key("balances").begin_array();
-  for (const Balance& balance : physics.balances()) {
+  for (Balance& balance : physics.balances()) {
+    earlier.add_to(balance);
     write_balance(json, balance);
   }
   json.end_array();
   json.key("diagnostics").begin_object();
   for (const auto& [name, value] : physics.diagnostics()) {
-    json.member(snake_case(name), value);
+    json.member(snake_case(name), value + earlier.sum(physics.name() + "/" + name));
   }
   json.end_object();
   json.key("warnings").begin_array();
@@ -183,7 +187,7 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
   write_steps(json, record.statistics, simulation);
   json.key("physics").begin_array();
   for (const auto& physics : simulation.physics()) {
-    write_physics(json, *physics);
+    write_physics(json, *physics, simulation.account());
   }
   json.end_array();
   json.key("bodies").begin_array();

@@ -123,7 +123,8 @@ void record_failure(RunFiles& files, const RunStatistics& statistics, const std:
 }  // namespace
 
 RunSummary run(Simulation& simulation, const RunOptions& options) {
-  const FrameSchedule schedule(options.frame_interval, options.frame_steps, simulation.end());
+  const FrameSchedule schedule(options.frame_interval, options.frame_steps, simulation.end(),
+                               simulation.stage_ends());
   RunFiles files(simulation, options, schedule);
   require(files.is_writing() || !options.resume, "to resume a run give the output it wrote");
   Measure measure;

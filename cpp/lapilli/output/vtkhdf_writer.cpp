@@ -14,6 +14,17 @@ namespace {
 constexpr Index first_room = 64;         // frames, when their number is not known
 constexpr Index most_compressed = 4096;  // frames: the table of pieces is written at once
 
+/// Stages of a run may list the same fields in another order.
+void put_in_order(std::vector<FrameColumn>& frame, const std::vector<Column>& columns) {
+  for (std::size_t k = 0; k < std::min(frame.size(), columns.size()); ++k) {
+    const auto here = frame.begin() + static_cast<std::ptrdiff_t>(k);
+    const auto found = std::ranges::find(here, frame.end(), columns[k], &FrameColumn::column);
+    if (found != frame.end()) {
+      std::iter_swap(here, found);
+    }
+  }
+}
+
 }  // namespace
 
 VtkhdfWriter::VtkhdfWriter(std::filesystem::path path, Index planned_frames, FrameOptions options)
@@ -82,8 +93,10 @@ void VtkhdfWriter::clear_later_slots(const FrameIndex& before) {
   }
 }
 
-void VtkhdfWriter::write(double time, const Points& points, std::span<const Field> fields) {
-  const std::vector<FrameColumn> frame = frame_columns(points, fields, options_);
+void VtkhdfWriter::write(double time, const Points& points, std::span<const Field> fields,
+                         std::span<const Index> body_numbers) {
+  std::vector<FrameColumn> frame = frame_columns(points, fields, options_, body_numbers);
+  put_in_order(frame, index_.columns);
   if (index_.columns.empty()) {
     begin(frame, points.size());
   }
@@ -136,7 +149,7 @@ FrameEntry VtkhdfWriter::store_columns(Index number, double time, const Points& 
 void VtkhdfWriter::begin(const std::vector<FrameColumn>& frame, Index points) {
   require(points > 0, "a simulation without points has no frames");
   index_.points_leave = options_.points_leave;
-  index_.points = points;
+  index_.points = std::max(points, options_.most_points);
   index_.name = path_.filename().string();
   for (const FrameColumn& entry : frame) {
     index_.columns.push_back(entry.column);
@@ -148,8 +161,8 @@ void VtkhdfWriter::begin(const std::vector<FrameColumn>& frame, Index points) {
 
 void VtkhdfWriter::check_same(const std::vector<FrameColumn>& frame, Index points) const {
   require(points == index_.points || (index_.points_leave && points < index_.points),
-          "the frames in '", path_.string(), "' have ", index_.points, " points, this one has ",
-          points);
+          "the frames in '", path_.string(), "' have room for ", index_.points,
+          " points, this one has ", points);
   require(frame.size() == index_.columns.size(), "the frames in '", path_.string(), "' have ",
           index_.columns.size(), " arrays, this one has ", frame.size());
   for (std::size_t k = 0; k < frame.size(); ++k) {
@@ -203,7 +216,9 @@ void require_same_form(const std::filesystem::path& path, const Points& points,
   const FrameIndex index = read_index(path);
   FrameLayout wanted;
   wanted.compression = options.compression;
-  for (const FrameColumn& entry : frame_columns(points, fields, options)) {
+  std::vector<FrameColumn> frame = frame_columns(points, fields, options);
+  put_in_order(frame, index.columns);
+  for (const FrameColumn& entry : frame) {
     wanted.columns.push_back(entry.column);
   }
   require(wanted.columns == index.columns && wanted.compression == index.compression,

@@ -15,8 +15,8 @@ namespace lapilli {
 /// acknowledged when write() returns: it is on the disk, and neither a killed process nor a failing
 /// later write takes it away. Rows are points in order of id; where points may leave, a frame has
 /// as many rows as points are left. Positions, ids, bodies and volumes are stored again only when
-/// they changed. `merge` makes one self-contained file. Not handled: a number of points that grows,
-/// or a list of fields that changes between frames.
+/// they changed. `merge` makes one self-contained file. Not handled: a number of points that grows
+/// beyond the one announced, or a list of fields that changes between frames.
 class VtkhdfWriter {
  public:
   /// Start a new series, removing a former one of that name. `planned_frames` is a hint for the
@@ -30,7 +30,8 @@ class VtkhdfWriter {
 
   /// Add one frame. Throws std::invalid_argument when a field does not fit the points or the former
   /// frames, OutputError when the disk fails; the frames before stay readable.
-  void write(double time, const Points& points, std::span<const Field> fields);
+  void write(double time, const Points& points, std::span<const Field> fields,
+             std::span<const Index> body_numbers = {});
 
   const std::filesystem::path& path() const { return path_; }
   Index frames() const { return index_.frames(); }

@@ -50,8 +50,9 @@ PeridynamicHeat::PeridynamicHeat(Points& points, std::shared_ptr<WallSurface> wa
     }
   }
   points_move_ = points_move;
-  prescribe_walls(0.0);
+  prescribe_walls(0.0, 0.0);
   exchange_->refresh();
+  find_self_heating();
   find_stiffest();
 }
 
@@ -69,14 +70,19 @@ void PeridynamicHeat::find_stiffest() {
 StepLimit PeridynamicHeat::step_limit() const {
   const double diffusivity = fluid_.diffusivity();
   if (diffusivity == 0.0) {
-    return {};
+    StepLimit limit;
+    self_heating_.bound(limit);
+    return limit;
   }
   const double natural =
       walls_->spacing() * walls_->spacing() / (points_.dimension() * diffusivity);
   const double least = stiffest_ > 0.0 ? 1.0 / stiffest_ : natural;
-  return {std::min(0.5 * natural, least), std::min(settings_.step_factor * natural, 0.9 * least),
-          least < 0.5 * natural ? "explicit conduction, capacity over the bonds of a point"
-                                : "explicit conduction, 0.5 dx^2/(dim alpha)"};
+  StepLimit limit{std::min(0.5 * natural, least),
+                  std::min(settings_.step_factor * natural, 0.9 * least),
+                  least < 0.5 * natural ? "explicit conduction, capacity over the bonds of a point"
+                                        : "explicit conduction, 0.5 dx^2/(dim alpha)"};
+  self_heating_.bound(limit);
+  return limit;
 }
 
 StepReport PeridynamicHeat::advance(const Step& step) {
@@ -84,7 +90,8 @@ StepReport PeridynamicHeat::advance(const Step& step) {
     initial_ = stored();
     started_ = true;
   }
-  prescribe_walls(step.time);
+  const double end = step.time + step.size;
+  prescribe_walls(step.time, end);
   exchange_->update();
   if (step.index % stiffest_every == 0) {
     find_stiffest();
@@ -92,54 +99,14 @@ StepReport PeridynamicHeat::advance(const Step& step) {
   interpolate_to_shifted_places();
   exchange_->rates(temperature_.data(), surface_, rate_.data(), from_walls_);
   source_power_ = dissipated_power_ = 0.0;
+  self_heating_.forget();
   for (const FluidBody& body : fluid_.bodies) {
-    add_source(body, step.time);
+    add_source(body, step.time, end);
   }
+  self_heating_.require_followed(step.size);
   add_dissipation();
   update_points(step);
   return {step.size, 0, 0.0};
-}
-
-void PeridynamicHeat::prescribe_walls(double time) {
-  bool changed = !prescribed_;
-  for (std::size_t k = 0; k < surface_.size(); ++k) {
-    const FluidWallSettings& wall = walls_->walls()[k].settings;
-    const WallState now{wall.temperature.at(time), wall.flux.at(time)};
-    changed |= now.temperature != surface_[k].temperature;
-    surface_[k] = now;
-  }
-  prescribed_ = true;
-  if (!changed) {
-    return;
-  }
-  for (Index i = 0; i < points_.size(); ++i) {
-    const int k = walls_->wall(i);
-    if (k >= 0 && walls_->walls()[k].settings.heat == WallHeat::temperature) {
-      temperature_[i] = surface_[k].temperature;
-    }
-  }
-}
-
-void PeridynamicHeat::add_source(const FluidBody& body, double time) {
-  const Value& source = body.source;
-  if (source.is_constant() && source.at(0.0) == 0.0) {
-    return;
-  }
-  std::vector<Vec3> place;
-  std::vector<double> density(static_cast<std::size_t>(points_.size()));
-  if (source.is_function()) {
-    for (Index i = 0; i < points_.size(); ++i) {
-      place.push_back(walls_->place(i));
-    }
-  }
-  source.evaluate(place, temperature_.values(), time, density);
-  for (Index i = 0; i < points_.size(); ++i) {
-    if (points_.body()[i] == body.body) {
-      const double power = density[i] * capacity_[i] / fluid_.thermal.capacity();
-      rate_[i] += power;
-      source_power_ += power;
-    }
-  }
 }
 
 // A point that is shifted takes the temperature of the place it comes to. Together this adds no
@@ -167,23 +134,18 @@ void PeridynamicHeat::interpolate_to_shifted_places() {
   });
 }
 
-void PeridynamicHeat::add_dissipation() {
-  if (dissipation_ == nullptr) {
-    return;
-  }
-  for (Index i = 0; i < points_.size(); ++i) {
-    if (walls_->wall(i) < 0) {
-      const double power = (*dissipation_)[i] * capacity_[i] / fluid_.thermal.capacity();
-      rate_[i] += power;
-      dissipated_power_ += power;
-    }
-  }
-}
-
 void PeridynamicHeat::update_points(const Step& step) {
   parallel_for(points_.size(), [&](Index i) {
     if (capacity_[i] > 0.0) {
-      temperature_[i] += step.size * rate_[i] / capacity_[i];
+      rate_[i] = step.size * rate_[i] / capacity_[i];
+    }
+  });
+  if (!source_fall_.empty()) {
+    follow_sources(step.size);
+  }
+  parallel_for(points_.size(), [&](Index i) {
+    if (capacity_[i] > 0.0) {
+      temperature_[i] += rate_[i];
     }
   });
   for (std::size_t k = 0; k < from_walls_.size(); ++k) {
@@ -204,6 +166,10 @@ void PeridynamicHeat::update_points(const Step& step) {
 
 double PeridynamicHeat::stored() const {
   return parallel_sum(points_.size(), 0.0, [&](Index i) { return capacity_[i] * temperature_[i]; });
+}
+
+double PeridynamicHeat::mean_temperature() const {
+  return stored() / parallel_sum(points_.size(), 0.0, [&](Index i) { return capacity_[i]; });
 }
 
 double PeridynamicHeat::span() const {
@@ -250,6 +216,7 @@ void PeridynamicHeat::save(Archive& archive) const {
   archive.write("heat/supplied", supplied_);
   archive.write("heat/initial", initial_);
   archive.write("heat/stiffest", stiffest_);
+  archive.write("heat/self_heating", self_heating_.rate());
   archive.write("heat/started", static_cast<Index>(started_ ? 1 : 0));
   exchange_->save(archive);
   walls_->save(archive);
@@ -262,6 +229,7 @@ void PeridynamicHeat::load(const Archive& archive) {
   archive.read("heat/supplied", supplied_);
   initial_ = archive.read_number("heat/initial");
   stiffest_ = archive.read_number("heat/stiffest");
+  self_heating_.set_rate(archive.read_number("heat/self_heating"));
   started_ = archive.read_index("heat/started") == 1;
   walls_->load(archive);
   prescribed_ = false;

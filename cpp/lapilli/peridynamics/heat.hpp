@@ -6,6 +6,7 @@
 
 #include "lapilli/core/physics.hpp"
 #include "lapilli/core/points.hpp"
+#include "lapilli/core/self_heating.hpp"
 #include "lapilli/core/warnings.hpp"
 #include "lapilli/peridynamics/fluid.hpp"
 #include "lapilli/peridynamics/heat_exchange.hpp"
@@ -45,6 +46,8 @@ class PeridynamicHeat final : public Physics, public Warnings {
   const PointArray& temperature() const { return temperature_; }  // K
   PointArray& temperature() { return temperature_; }
   const Fluid& material() const { return fluid_; }
+  /// Over the volume of the fluid, K.
+  double mean_temperature() const;
   /// Heat flow from a wall into the fluid in the last step, W.
   double wall_power(int wall) const { return from_walls_[wall]; }
   /// Mean heat flux into each point from the walls it meets, W/m^2, and the area it meets them
@@ -56,10 +59,15 @@ class PeridynamicHeat final : public Physics, public Warnings {
   const HeatExchange& exchange() const { return *exchange_; }
 
  private:
-  void prescribe_walls(double time);
+  /// What walls prescribe over a span of time: the means of their tables.
+  void prescribe_walls(double begin, double end);
   void find_stiffest();
-  void add_source(const FluidBody& body, double time);
+  /// Add what the source of a body gives over a span of time, tables by their means and functions
+  /// at its middle, to the rates, and how it falls with the temperature to `source_fall_`.
+  void add_source(const FluidBody& body, double begin, double end);
+  void find_self_heating();
   void add_dissipation();
+  void follow_sources(double size);
   void update_points(const Step& step);
   void interpolate_to_shifted_places();
   double stored() const;
@@ -77,6 +85,8 @@ class PeridynamicHeat final : public Physics, public Warnings {
   std::vector<double> from_walls_;
   double stiffest_ = 0.0;  // 1/s, largest sum of conductances over capacity
   double source_power_ = 0.0, dissipated_power_ = 0.0;
+  std::vector<double> source_fall_;  // W/K, by point; empty where no source is a function
+  SelfHeating self_heating_;
   double initial_ = 0.0;
   bool started_ = false, prescribed_ = false, points_move_ = false;
   std::vector<double> supplied_;  // J: walls, source, dissipation

@@ -7,6 +7,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/checks.hpp"
 #include "lapilli/peridynamics/flow_places.hpp"
+#include "lapilli/peridynamics/heat.hpp"
 #include "lapilli/peridynamics/sound_speed.hpp"
 
 namespace lapilli {
@@ -117,6 +118,7 @@ StepLimit PeridynamicFlow<Dim>::step_limit() const {
 
 template <int Dim>
 StepReport PeridynamicFlow<Dim>::advance(const Step& step) {
+  find_reference();
   if (!started_) {
     start();
   }
@@ -135,6 +137,14 @@ void PeridynamicFlow<Dim>::start() {
   gather_rows();
   update_density_and_kick(0.0);
   started_ = true;
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::find_reference() {
+  if (heat_ != nullptr && gravity_ != Vec<Dim>::Zero()) {
+    const double given = fluid_.reference_temperature;
+    reference_ = given != 0.0 ? given : heat_->mean_temperature();
+  }
 }
 
 template <int Dim>

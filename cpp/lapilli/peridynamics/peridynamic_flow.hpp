@@ -62,6 +62,8 @@ class PeridynamicFlow final : public Flow {
   void start();
   void find_fastest();
   double fastest_squared(Index begin, Index end) const;  // m^2/s^2
+  /// A uniform excess would only press the fluid together: buoyancy is that over the mean.
+  void find_reference();
   void kick_and_drift(const Step& step);
   void find_families();
   void gather_rows();
@@ -87,6 +89,7 @@ class PeridynamicFlow final : public Flow {
   PeridynamicFlowSettings settings_;
   Newtonian fluid_;
   const PeridynamicHeat* heat_;
+  double reference_ = 0.0;  // K, where buoyancy vanishes
   PrintedEquations printed_;
   BondWeight weight_;
   double lattice_constant_;

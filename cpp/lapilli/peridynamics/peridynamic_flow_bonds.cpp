@@ -123,8 +123,7 @@ void PeridynamicFlow<Dim>::accelerate_and_kick(Index task, double step_size) {
 
 template <int Dim>
 Vec<Dim> PeridynamicFlow<Dim>::body_force(Index point) const {
-  const double warmer =
-      heat_ != nullptr ? heat_->temperature()[point] - fluid_.reference_temperature : 0.0;
+  const double warmer = heat_ != nullptr ? heat_->temperature()[point] - reference_ : 0.0;
   if (settings_.buoyancy == Buoyancy::reduced) {
     return -fluid_.thermal_expansion * warmer * gravity_;
   }

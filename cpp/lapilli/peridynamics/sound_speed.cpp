@@ -33,6 +33,30 @@ struct Span {
   double greatest_size() const { return std::max({0.0, std::abs(least), std::abs(most)}); }
 };
 
+/// What the source of a body spans, W/m^3; of a function, at the start.
+Span at_start(const FluidBody& body, const Points& points, const WallSurface& walls,
+              const PointArray& temperature) {
+  Span source;
+  if (!body.source.is_function()) {
+    source.take(body.source);
+    return source;
+  }
+  std::vector<Vec3> place;
+  std::vector<double> state;
+  for (Index i = 0; i < points.size(); ++i) {
+    if (points.body()[i] == body.body) {
+      place.push_back(walls.place(i));
+      state.push_back(temperature[i]);
+    }
+  }
+  std::vector<double> values(place.size());
+  body.source.evaluate(place, state, 0.0, values);
+  for (const double value : values) {
+    source.take(value);
+  }
+  return source;
+}
+
 double extent_along(const Points& points, const WallSurface& walls, const Vec3& direction) {
   Span span;
   for (Index i = 0; i < points.size(); ++i) {
@@ -70,14 +94,16 @@ double temperature_range(const Points& points, const PeridynamicHeat& heat, doub
     }
   }
   for (const FluidBody& body : fluid.bodies) {
-    Span source;
-    source.take(body.source);
+    const Span source = at_start(body, points, walls, heat.temperature());
     driven = std::max(driven, source.greatest_size() * length * length / 8.0);
   }
   for (Index i = 0; i < points.size(); ++i) {
     if (walls.wall(i) < 0) {
       temperature.take(heat.temperature()[i]);
     }
+  }
+  if (const double given = fluid.newtonian.reference_temperature; given != 0.0) {
+    temperature.take(given);
   }
   const double conductivity = fluid.conductivity();
   return std::max(temperature.size(), conductivity > 0.0 ? driven / conductivity : 0.0);

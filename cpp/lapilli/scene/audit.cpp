@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "lapilli/scene/body_points.hpp"
+#include "lapilli/scene/resolve_files.hpp"
+#include "lapilli/scene/stage_scenes.hpp"
 #include "lapilli/scene/tree_writer.hpp"
 
 namespace lapilli {
@@ -218,7 +220,9 @@ struct IdleMaterial {
 
 }  // namespace
 
-std::vector<std::string> unused_settings(const Scene& scene) {
+namespace {
+
+std::vector<std::string> unused_in_one_stage(const Scene& scene) {
   std::vector<std::string> notes;
   const TreeWriter writer(Members::changed, InMemory::named);
   visit_changed(scene, {writer.write_struct(scene, ""), {}}, "", notes);
@@ -229,6 +233,25 @@ std::vector<std::string> unused_settings(const Scene& scene) {
         const char* kind = std::visit([](const auto& known) { return known.kind; }, material);
         notes.push_back(element_path("bodies", k) + ".material: " + kind +
                         " has no effect: " + why);
+      }
+    }
+  }
+  return notes;
+}
+
+}  // namespace
+
+std::vector<std::string> unused_settings(const Scene& scene) {
+  std::vector<std::string> notes = unused_in_one_stage(scene);
+  if (scene.stages.empty()) {
+    return notes;
+  }
+  const std::size_t of_first = notes.size();
+  for (const StageScene& stage : stage_scenes(with_resolved_files(scene))) {
+    for (const std::string& note : unused_in_one_stage(stage.scene)) {
+      const auto end = notes.begin() + static_cast<std::ptrdiff_t>(of_first);
+      if (!stage.name.empty() && std::find(notes.begin(), end, note) == end) {
+        notes.push_back(message("stage ", stage.name, ": ", note));
       }
     }
   }

@@ -161,30 +161,6 @@ void require_inside_grid(const Scene& scene, const FilledPoints& points) {
           text_of(scene.grid.lower), " to ", text_of(scene.grid.upper), " m");
 }
 
-// A point deep inside another body's shape means that two bodies claim the same place.
-void require_apart(const Scene& scene, const std::vector<FilledPoints>& filled) {
-  for (std::size_t k = 0; k < filled.size(); ++k) {
-    const std::optional<Shape> shape = placed_shape(scene.bodies[k]);
-    if (!shape) {
-      continue;
-    }
-    const Bounds box = bounds(*shape);
-    for (std::size_t other = 0; other < filled.size(); ++other) {
-      for (std::size_t row = 0; other != k && row < filled[other].size(); ++row) {
-        const Vec3 at = filled[other].place(row);
-        const double depth = 0.26 * filled[other].spacing;
-        const bool near =
-            (at.array() >= box.lower.array()).all() && (at.array() <= box.upper.array()).all();
-        if (near && distance(*shape, at) <= -depth) {
-          require_at(false, scene, body_path(other), "overlaps body ", k, ": its point at ",
-                     text_of(at, filled[other].dimension),
-                     " lies in both; cut one of them with a difference");
-        }
-      }
-    }
-  }
-}
-
 /// Whether conditions of heat act where points, and not the shapes of bodies, say that the surface
 /// is. On a line both know it.
 bool finds_surface_by_points(const Scene& scene, const Body& body) {
@@ -254,17 +230,47 @@ bool is_filled_exactly(const Scene& scene, const Body& body) {
   return scene.peridynamics ? conducts_at_rest(scene) : boxes_tile || !has_conditions;
 }
 
+FilledPoints fill_body(const Scene& scene, std::size_t k) {
+  const Body& body = scene.bodies[k];
+  return at_place(scene, body_path(k), [&] {
+    FilledPoints filled = points_of(scene, body);
+    if (is_filled_elsewhere(scene, body)) {
+      put_in_place(body, filled);
+    }
+    require_inside_grid(scene, filled);
+    return filled;
+  });
+}
+
+void require_apart(const Scene& scene, const std::vector<FilledPoints>& filled,
+                   const std::vector<bool>& goes_on) {
+  for (std::size_t k = 0; k < filled.size(); ++k) {
+    const std::optional<Shape> shape = placed_shape(scene.bodies[k]);
+    if (!shape || (!goes_on.empty() && goes_on[k])) {
+      continue;
+    }
+    const Bounds box = bounds(*shape);
+    for (std::size_t other = 0; other < filled.size(); ++other) {
+      for (std::size_t row = 0; other != k && row < filled[other].size(); ++row) {
+        const Vec3 at = filled[other].place(row);
+        const bool has_moved = !goes_on.empty() && goes_on[other];
+        const double depth = (has_moved ? 0.5 : 0.26) * filled[other].spacing;
+        const bool near =
+            (at.array() >= box.lower.array()).all() && (at.array() <= box.upper.array()).all();
+        if (near && distance(*shape, at) <= -depth) {
+          require_at(false, scene, body_path(other), "overlaps body ", k, ": its point at ",
+                     text_of(at, filled[other].dimension),
+                     " lies in both; cut one of them with a difference");
+        }
+      }
+    }
+  }
+}
+
 std::vector<FilledPoints> fill_bodies(const Scene& scene) {
   std::vector<FilledPoints> filled;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    const Body& body = scene.bodies[k];
-    at_place(scene, body_path(k), [&] {
-      filled.push_back(points_of(scene, body));
-      if (is_filled_elsewhere(scene, body)) {
-        put_in_place(body, filled.back());
-      }
-      require_inside_grid(scene, filled.back());
-    });
+    filled.push_back(fill_body(scene, k));
   }
   require_apart(scene, filled);
   return filled;

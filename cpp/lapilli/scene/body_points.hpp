@@ -28,6 +28,14 @@ BodyLattice lattice_of(const Scene& scene, const Body& body);
 /// Whether the points of a body carry the volumes of their parts of its shape.
 bool is_filled_exactly(const Scene& scene, const Body& body);
 
+/// The points of one body, turned and moved to their places.
+FilledPoints fill_body(const Scene& scene, std::size_t body);
+
+/// Throw std::invalid_argument where a point lies deep inside the shape of another body: two bodies
+/// claim the same place. Shapes of bodies that go on (none where `goes_on` is empty) say nothing.
+void require_apart(const Scene& scene, const std::vector<FilledPoints>& filled,
+                   const std::vector<bool>& goes_on = {});
+
 /// The points of every body, turned and moved to their places. Throws std::invalid_argument with
 /// the place in the scene file for bodies that are empty, reach out of the grid or overlap.
 std::vector<FilledPoints> fill_bodies(const Scene& scene);

@@ -1,249 +1,26 @@
 #include "lapilli/scene/build.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-
 #include "lapilli/core/memory.hpp"
-#include "lapilli/geometry/checks.hpp"
-#include "lapilli/geometry/combine.hpp"
-#include "lapilli/mpm/dynamics/dynamics.hpp"
-#include "lapilli/mpm/dynamics/plastic_heat.hpp"
-#include "lapilli/mpm/dynamics/thermal_strain.hpp"
-#include "lapilli/mpm/heat/heat_in_body_frame.hpp"
-#include "lapilli/mpm/heat/heat_problem.hpp"
-#include "lapilli/mpm/heat/particle_heat.hpp"
-#include "lapilli/mpm/quasi_static/quasi_static.hpp"
 #include "lapilli/scene/body_points.hpp"
-#include "lapilli/scene/build_peridynamics.hpp"
-#include "lapilli/scene/initial_state.hpp"
+#include "lapilli/scene/build_parts.hpp"
 #include "lapilli/scene/memory.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/run_scene.hpp"
-#include "lapilli/scene/stress_at_start.hpp"
+#include "lapilli/scene/stage_scenes.hpp"
 #include "lapilli/scene/validate.hpp"
 
 namespace lapilli {
 namespace {
 
-using PhysicsList = std::vector<std::unique_ptr<Physics>>;
+using Parts = Simulation::Stage::Parts;
 
-template <class Wanted>
-const Wanted& material_of(const Body& body) {
-  const auto found = std::find_if(body.material.begin(), body.material.end(), [](const auto& one) {
-    return std::holds_alternative<Wanted>(one);
-  });
-  return std::get<Wanted>(*found);  // validate() has seen to it
-}
-
-template <int Dim>
-Grid<Dim> grid_of(const Scene& scene) {
-  return in_file(scene, "grid", [&] {
-    return Grid<Dim>(Eigen::Map<const Vec<Dim>>(scene.grid.lower.data()),
-                     Eigen::Map<const Vec<Dim>>(scene.grid.upper.data()), scene.grid.cell);
-  });
-}
-
-std::unique_ptr<Points> points_of(const Scene& scene, const std::vector<FilledPoints>& filled,
-                                  const std::vector<FilledPoints>& walls) {
-  auto points = std::make_unique<Points>(dimension_of(scene));
-  int body = 0;
-  for (const auto& group : {&filled, &walls}) {
-    for (const FilledPoints& some : *group) {
-      points->append(some.position, some.volume, body++);
-    }
-  }
-  return points;
-}
-
-// The shapes of all bodies where they stand; none where a body is known by its points only.
-std::vector<Shape> shapes_of(const Scene& scene) {
-  std::vector<Shape> shapes;
-  for (const Body& body : scene.bodies) {
-    const std::optional<Shape> shape = placed_shape(body);
-    if (!shape) {
-      return {};
-    }
-    shapes.push_back(*shape);
-  }
-  return shapes;
-}
-
-// Distance to the union of the bodies; none where a body is known by its points only.
-DistanceFunction distance_of(const Scene& scene) {
-  std::vector<Shape> shapes = shapes_of(scene);
-  if (shapes.empty()) {
-    return {};
-  }
-  return [all = Union{std::move(shapes)}](const Vec3& at) { return all.distance(at); };
-}
-
-bool has_motion(const Scene& scene) {
-  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                     [](const Body& body) { return body.motion.has_value(); });
-}
-
-bool has_moving_points(const Scene& scene) { return has_motion(scene) || scene.dynamics; }
-
-// The box of a point is half its spacing wide on each side, whatever its volume.
-double half_width_of(const Scene& scene, const FilledPoints& filled) {
-  return std::min(0.5, 0.5 * filled.spacing / scene.grid.cell);
-}
-
-// The one prescribed motion that all bodies share; none where they do not, or nothing moves.
-std::optional<Motion> common_motion(const Scene& scene) {
-  const std::optional<Motion>& first = scene.bodies.front().motion;
-  const bool shared = first && !scene.dynamics && is_rigid(*first) &&
-                      std::all_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
-                        return body.motion && is_same(*body.motion, *first);
-                      });
-  return shared ? first : std::nullopt;
-}
-
-template <int Dim>
-std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
-                                 const std::vector<FilledPoints>& filled, Points& points) {
-  HeatProblem<Dim> problem{grid,        scene.grid.shape_function, {},
-                           *scene.heat, distance_of(scene),        has_moving_points(scene)};
-  if (scene.dynamics) {
-    for (const GridBoundary& wall : scene.dynamics->grid_boundaries) {
-      std::visit(
-          [&](const auto& known) { problem.walls[static_cast<std::size_t>(known.face)] = true; },
-          wall);
-    }
-  }
-  problem.frame = common_motion(scene);
-  problem.fixed_steps = scene.time.step || scene.time.steps;
-  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    const Body& body = scene.bodies[k];
-    problem.bodies.push_back({material_of<Thermal>(body), half_width_of(scene, filled[k]),
-                              body.temperature, body.source, placed_shape(body), body.name});
-  }
-  return at_place(scene, "heat", [&] { return make_heat<Dim>(points, std::move(problem)); });
-}
-
-std::unique_ptr<Physics> quasi_static_of(const Scene& scene, Points& points) {
-  std::vector<Solid> materials;
-  for (const Body& body : scene.bodies) {
-    materials.push_back(solids_in(body).front());
-  }
-  return at_place(scene, "quasi_static", [&] {
-    return make_quasi_static(points, place(scene.grid.lower), place(scene.grid.upper),
-                             scene.grid.cell, scene.grid.shape_function, std::move(materials),
-                             *scene.quasi_static, shapes_of(scene));
-  });
-}
-
-// A translation and a spin; empty for a body at rest.
-std::function<Vec3(const Vec3&)> velocity_at_start(const Body& body, const FilledPoints& filled,
-                                                   int dimension) {
-  const Vec3 start = place(body.velocity);
-  if (body.spin.empty()) {
-    return body.velocity.empty() ? std::function<Vec3(const Vec3&)>()
-                                 : [start](const Vec3&) { return start; };
-  }
-  const Vec3 spin = dimension == 2 ? Vec3(0.0, 0.0, body.spin.front()) : place(body.spin);
-  Vec3 center = place(body.spin_center);
-  if (body.spin_center.empty()) {
-    double volume = 0.0;
-    for (std::size_t k = 0; k < filled.volume.size(); ++k) {
-      volume += filled.volume[k];
-      for (int axis = 0; axis < dimension; ++axis) {
-        center[axis] += filled.volume[k] * filled.position[k * dimension + axis];
-      }
-    }
-    center /= volume;
-  }
-  return [=](const Vec3& at) { return Vec3(start + spin.cross(at - center)); };
-}
-
-template <int Dim>
-std::unique_ptr<Dynamics<Dim>> dynamics_of(const Scene& scene, const Grid<Dim>& grid,
-                                           const std::vector<FilledPoints>& filled,
-                                           const std::optional<InitialState>& initial,
-                                           Points& points) {
-  DynamicsProblem<Dim> problem{
-      grid,
-      scene.grid.shape_function,
-      {},
-      *scene.dynamics,
-      initial ? DistanceFunction() : distance_of(scene)};  // bodies that go on have moved
-  const StressAtStart stress(scene);
-  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    const std::string& name = scene.bodies[k].name;
-    DynamicsBody body{solids_in(scene.bodies[k]).front(), half_width_of(scene, filled[k]), {}, {}};
-    body.name = name;
-    body.label = name.empty() ? message("body ", k) : message("body '", name, "'");
-    if (initial && initial->continues(k)) {
-      problem.bodies.push_back(std::move(body));
-      continue;
-    }
-    body.velocity = velocity_at_start(scene.bodies[k], filled[k], Dim);
-    body.stress = stress.of(k);
-    problem.bodies.push_back(std::move(body));
-  }
-  if (initial) {
-    problem.start = initial->points(filled);
-  } else {
-    problem.shapes = shapes_of(scene);
-  }
-  return at_place(scene, "dynamics", [&] { return make_dynamics<Dim>(points, problem); });
-}
-
-// The coefficient of a coupling in every body, zero where it is absent; empty where no body has it.
-template <class Coupling>
-std::vector<double> coupling_of(const Scene& scene, double Coupling::*member) {
-  std::vector<double> values;
-  bool any = false;
-  for (const Body& body : scene.bodies) {
-    values.push_back(0.0);
-    for (const Material& material : body.material) {
-      if (const auto* coupling = std::get_if<Coupling>(&material)) {
-        values.back() = coupling->*member;
-        any = true;
-      }
-    }
-  }
-  return any ? values : std::vector<double>{};
-}
-
-// Couplings stand between heat and momentum: what heat did this step expands, and what momentum
-// dissipated in the step before heats.
-template <int Dim>
-void couple(const Scene& scene, Points& points, ParticleHeat<Dim>& heat, Dynamics<Dim>& dynamics,
-            PhysicsList& physics) {
-  heat.follow({[&dynamics] { return dynamics.speed(); },
-               [&dynamics] { return dynamics.step_limit().automatic; }});
-  if (heat.carried_gradient() != nullptr) {
-    dynamics.turn(*heat.carried_gradient());
-  }
-  const auto shares = coupling_of(scene, &PlasticHeating::share);
-  if (!shares.empty()) {
-    heat.expect_plastic();
-    physics.push_back(std::make_unique<PlasticHeat>(
-        points, dynamics.plastic_work(), heat.carried_temperature(), heat.capacity(), shares,
-        [&heat](double joule) { heat.book_plastic(joule); }));
-  }
-  if (scene.dynamics->outside == Outside::remove) {
-    heat.expect_removed();
-  }
-  const auto coefficients = coupling_of(scene, &ThermalExpansion::coefficient);
-  if (!coefficients.empty()) {
-    auto strain = std::make_unique<ThermalStrain>(points, heat.carried_temperature(),
-                                                  dynamics.free_strain(), coefficients);
-    if (const SubCycle* own = heat.sub_cycle()) {
-      strain->follow(own->change(), [own] { return own->ahead(); });
-    }
-    physics.push_back(std::move(strain));
-  }
-}
-
-Simulation::Clock clock_of(const Scene& scene) {
+Simulation::Clock clock_of(const Scene& scene, double start = 0.0) {
   Simulation::Clock clock;
+  clock.start = start;
   clock.end = scene.time.end;
   if (scene.time.steps) {
-    clock.fixed_step = scene.time.end / static_cast<double>(*scene.time.steps);
+    clock.fixed_step = (scene.time.end - start) / static_cast<double>(*scene.time.steps);
   } else if (scene.time.step) {
     clock.fixed_step = *scene.time.step;
   }
@@ -272,51 +49,116 @@ void check_fields(const Scene& scene, Simulation& simulation) {
   }
 }
 
-template <int Dim>
-std::unique_ptr<Simulation> build_in(const Scene& scene) {
-  const Grid<Dim> grid = grid_of<Dim>(scene);
-  std::vector<FilledPoints> filled = fill_bodies(scene);
-  std::optional<InitialState> initial;
-  if (!scene.initial_state.empty()) {
-    initial.emplace(scene);
-    initial->replace(filled);
-  }
-  const std::vector<FilledPoints> walls = fill_walls(scene, filled);
-  std::unique_ptr<Points> points = points_of(scene, filled, walls);
-  PhysicsList physics;
-  if (scene.heat) {
-    physics.push_back(heat_of<Dim>(scene, grid, filled, *points));
-  }
-  if constexpr (Dim > 1) {
-    if (scene.dynamics) {
-      auto dynamics = dynamics_of<Dim>(scene, grid, filled, initial, *points);
-      if (scene.heat) {
-        couple<Dim>(scene, *points, dynamic_cast<ParticleHeat<Dim>&>(*physics.front()), *dynamics,
-                    physics);
+using Stages = std::vector<StageScene>;
+
+/// Solids of all bodies in the stages other than `own`, for what points keep of them.
+std::vector<Solid> solids_of_others(const Stages& stages, std::size_t own) {
+  std::vector<Solid> solids;
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    for (const Body& body : stages[k].scene.bodies) {
+      if (k != own) {
+        const std::vector<Solid> some = solids_in(body);
+        solids.insert(solids.end(), some.begin(), some.end());
       }
-      physics.push_back(std::move(dynamics));
     }
   }
-  if (scene.quasi_static) {
-    physics.push_back(quasi_static_of(scene, *points));
+  return solids;
+}
+
+/// How the points of a stage start; null where all do so anew and there is no other stage.
+std::shared_ptr<const PointStart> start_of(const Stages& stages, std::size_t k,
+                                           const Beginning& beginning) {
+  if (!beginning.initial && stages.size() == 1) {
+    return nullptr;
   }
-  if (scene.peridynamics) {
-    for (auto& one : physics_of_peridynamics(scene, filled, *points)) {
-      physics.push_back(std::move(one));
+  auto start = std::make_shared<PointStart>();
+  if (beginning.initial) {
+    *start = beginning.initial->start(beginning.filled);
+  } else {
+    start->body.assign(stages[k].scene.bodies.size(), -1);
+  }
+  start->time = beginning.time;
+  start->other_stages = solids_of_others(stages, k);
+  return start;
+}
+
+/// The scene before the first step.
+Beginning first_beginning(const Stages& stages) {
+  const Scene& scene = stages.front().scene;
+  Beginning beginning;
+  beginning.filled = fill_bodies(scene);
+  if (!scene.initial_state.empty()) {
+    beginning.initial.emplace(scene);
+    beginning.initial->replace(beginning.filled);
+  }
+  beginning.start = start_of(stages, 0, beginning);
+  return beginning;
+}
+
+/// A body as it was filled in the stage that it is from.
+FilledPoints filled_as_new(const Stages& stages, std::size_t stage, std::size_t body) {
+  while (stages[stage].body_before[body] >= 0) {
+    body = static_cast<std::size_t>(stages[stage].body_before[body]);
+    --stage;
+  }
+  return fill_body(stages[stage].scene, body);
+}
+
+Parts begin_stage(const Stages& stages, std::size_t k,
+                  const std::shared_ptr<const Archive>& before) {
+  const StageScene& stage = stages[k];
+  Beginning beginning;
+  beginning.initial.emplace(stage, before);
+  std::vector<bool> goes_on;
+  for (std::size_t body = 0; body < stage.scene.bodies.size(); ++body) {
+    beginning.filled.push_back(filled_as_new(stages, k, body));
+    goes_on.push_back(beginning.goes_on(body));
+  }
+  beginning.initial->replace(beginning.filled);
+  require_apart(stage.scene, beginning.filled, goes_on);
+  beginning.time = stage.start;
+  beginning.start = start_of(stages, k, beginning);
+  return with_memory_for("begin a stage", [&] {
+    Parts parts = parts_of(stage.scene, beginning);
+    parts.body_numbers = stage.body_number;
+    return parts;
+  });
+}
+
+/// Bodies that a stage adds can be filled: known now, not after hours.
+void check_added(const Stages& stages) {
+  for (std::size_t k = 1; k < stages.size(); ++k) {
+    for (std::size_t body = 0; body < stages[k].body_before.size(); ++body) {
+      if (stages[k].body_before[body] < 0) {
+        try {
+          fill_body(stages[k].scene, body);
+        } catch (const std::invalid_argument& error) {
+          throw std::invalid_argument(
+              message("stages[", k - 1, "] '", stages[k].name, "': ", error.what()));
+        }
+      }
     }
   }
-  if (has_motion(scene)) {
-    std::vector<std::optional<Motion>> motions;
-    for (const Body& body : scene.bodies) {
-      motions.push_back(body.motion);
-    }
-    // Heat in the frame of the bodies does not ask where they are.
-    const bool lazy = physics.size() == 1 &&
-                      dynamic_cast<HeatInBodyFrame<Dim>*>(physics.front().get()) != nullptr;
-    physics.push_back(std::make_unique<PrescribedMotion<Dim>>(*points, std::move(motions), lazy));
+}
+
+std::vector<Simulation::Stage> later_stages(const std::shared_ptr<const Stages>& stages) {
+  std::vector<Simulation::Stage> all;
+  for (std::size_t k = 1; k < stages->size(); ++k) {
+    const StageScene& stage = (*stages)[k];
+    all.push_back({stage.name, clock_of(stage.scene, stage.start),
+                   [stages, k](const std::shared_ptr<const Archive>& before) {
+                     return begin_stage(*stages, k, before);
+                   }});
   }
+  return all;
+}
+
+std::unique_ptr<Simulation> first_stage(const Stages& stages) {
+  const Scene& scene = stages.front().scene;
+  Parts parts = parts_of(scene, first_beginning(stages));
   auto simulation = in_file(scene, scene.time.steps ? "time.steps" : "time.step", [&] {
-    return std::make_unique<Simulation>(std::move(points), std::move(physics), clock_of(scene));
+    return std::make_unique<Simulation>(std::move(parts.points), std::move(parts.physics),
+                                        clock_of(scene));
   });
   check_probes(scene, *simulation);
   check_fields(scene, *simulation);
@@ -326,18 +168,17 @@ std::unique_ptr<Simulation> build_in(const Scene& scene) {
 }  // namespace
 
 std::unique_ptr<Simulation> build(const Scene& as_written) {
-  const Scene scene = with_resolved_files(as_written);
+  Scene scene = with_resolved_files(as_written);
   validate(scene);
   require_feasible(scene);
+  const auto stages = std::make_shared<const Stages>(stage_scenes(std::move(scene)));
   return with_memory_for("build the scene", [&] {
-    switch (dimension_of(scene)) {
-      case 1:
-        return build_in<1>(scene);
-      case 2:
-        return build_in<2>(scene);
-      default:
-        return build_in<3>(scene);
+    std::unique_ptr<Simulation> simulation = first_stage(*stages);
+    if (stages->size() > 1) {
+      check_added(*stages);
+      simulation->follow_with(later_stages(stages));
     }
+    return simulation;
   });
 }
 

@@ -9,10 +9,12 @@
 #include "lapilli/core/memory.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/says_model.hpp"
+#include "lapilli/core/warnings.hpp"
 #include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
+#include "lapilli/scene/check_stages.hpp"
 #include "lapilli/scene/memory.hpp"
 #include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/run_scene.hpp"
@@ -223,6 +225,12 @@ void describe_choices(const Simulation& simulation, CheckReport& report) {
     if (const auto* chooser = dynamic_cast<const SaysModel*>(physics.get())) {
       std::ranges::copy(chooser->modelled(), std::back_inserter(report.modelled));
     }
+    if (const auto* warner = dynamic_cast<const Warnings*>(physics.get())) {
+      std::ranges::copy_if(warner->warnings(), std::back_inserter(report.notes),
+                           [notes = report.notes](const std::string& warning) {
+                             return std::ranges::find(notes, warning) == notes.end();
+                           });
+    }
   }
 }
 
@@ -272,6 +280,15 @@ double steps_until_end(const Scene& scene, double begin, double size) {
   return steps;
 }
 
+// Steps of later stages count by their points.
+double steps_of_all_stages(const CheckReport& report) {
+  auto steps = static_cast<double>(report.steps);
+  for (const CheckReport::StageReport& stage : report.stages) {
+    steps += static_cast<double>(stage.steps * stage.points) / static_cast<double>(report.points);
+  }
+  return steps;
+}
+
 // The first step also assembles what later ones use, and is often shorter, so it is not counted.
 void measure_steps(const Scene& scene, Simulation& simulation, CheckReport& report) {
   constexpr double patience = 0.3;  // s
@@ -280,12 +297,12 @@ void measure_steps(const Scene& scene, Simulation& simulation, CheckReport& repo
   Index taken = 0;
   double size = report.step;
   try {
-    simulation.step(simulation.end());
+    simulation.step(scene.time.end);
     seconds_of_first = seconds_since(first);
     const Clock::time_point start = Clock::now();
-    while (simulation.time() < simulation.end() && seconds_of_others < patience) {
+    while (simulation.time() < scene.time.end && seconds_of_others < patience) {
       size = simulation.next_step_size();
-      simulation.step(simulation.end());
+      simulation.step(scene.time.end);
       ++taken;
       seconds_of_others = seconds_since(start);
     }
@@ -297,7 +314,7 @@ void measure_steps(const Scene& scene, Simulation& simulation, CheckReport& repo
   report.steps = 1 + taken + static_cast<Index>(left);
   const double cost =
       taken == 0 ? seconds_of_first : seconds_of_others / static_cast<double>(taken);
-  report.seconds_to_run = cost * static_cast<double>(report.steps);
+  report.seconds_to_run = cost * steps_of_all_stages(report);
 }
 
 // What a run leaves on disk, before compression: the fields asked for at every frame.
@@ -310,8 +327,9 @@ double output_of(const Scene& scene, Simulation& simulation) {
       bytes += numbers * (frames.single ? 4.0 : 8.0);
     }
   }
-  const double every = scene.output.every.value_or(scene.time.end);
-  const double count = 2.0 + (every > 0.0 ? std::floor(scene.time.end / every) : 0.0);
+  const double end = simulation.end(), every = scene.output.every.value_or(end);
+  const double count = 2.0 + static_cast<double>(scene.stages.size()) +
+                       (every > 0.0 ? std::floor(end / every) : 0.0);
   return bytes * count * static_cast<double>(simulation.points().size());
 }
 
@@ -355,6 +373,7 @@ CheckReport check(const Scene& scene) {
   report.memory =
       memory_of(scene, static_cast<double>(report.nodes), static_cast<double>(report.points));
   report.output = output_of(scene, *simulation);
+  describe_stages(scene, *simulation, report);
   measure_steps(scene, *simulation, report);
   describe_choices(*simulation, report);  // how often heat steps is known by now
   return report;

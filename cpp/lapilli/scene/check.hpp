@@ -18,6 +18,15 @@ struct CheckReport {
     double spacing = 0.0;                   // m
     std::optional<double> volume_of_shape;  // m^dimension; none without a shape
   };
+  /// A stage after the first, made from the state at the start: the nearest that is known.
+  struct StageReport {
+    std::string name;
+    double start = 0.0, end = 0.0;  // s
+    Index points = 0;
+    double step = 0.0;                 // s
+    Index steps = 0;                   // 0: not known
+    std::vector<std::string> changes;  // in words
+  };
 
   std::string title;
   int dimension = 0;
@@ -30,7 +39,8 @@ struct CheckReport {
   double step = 0.0;        // s
   double hard_limit = 0.0;  // s; infinite when nothing limits the step
   std::string step_reason;
-  Index steps = 0;
+  Index steps = 0;  // of the first stage
+  std::vector<StageReport> stages;
   double memory = 0.0;             // bytes, estimated from the sizes of arrays
   double output = 0.0;             // bytes on disk, estimated
   double seconds_to_build = 0.0;   // measured

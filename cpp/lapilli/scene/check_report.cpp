@@ -1,7 +1,7 @@
 #include <iomanip>
 
 #include "lapilli/core/memory.hpp"
-#include "lapilli/scene/check.hpp"
+#include "lapilli/scene/check_stages.hpp"
 #include "lapilli/scene/emit.hpp"
 #include "lapilli/scene/run_text.hpp"
 #include "lapilli/scene/tree_writer.hpp"
@@ -15,6 +15,21 @@ Tree list_of(const std::vector<std::string>& words) {
     array.push_back({word, {}});
   }
   return {std::move(array), {}};
+}
+
+Tree stages_of(const CheckReport& report) {
+  Tree::Array all;
+  for (const CheckReport::StageReport& stage : report.stages) {
+    all.push_back({Tree::Table{{"name", {}, {stage.name, {}}},
+                               {"start", {}, {stage.start, {}}},
+                               {"end", {}, {stage.end, {}}},
+                               {"points", {}, {stage.points, {}}},
+                               {"step", {}, {stage.step, {}}},
+                               {"steps", {}, {stage.steps, {}}},
+                               {"changes", {}, list_of(stage.changes)}},
+                   {}});
+  }
+  return {std::move(all), {}};
 }
 
 std::string listed(const std::vector<std::string>& words) {
@@ -42,6 +57,7 @@ std::string text_of(const CheckReport& report) {
   text += message("not modelled  ", listed(report.not_modelled), "\n");
   text += message("step          ", report.step, " s (", report.step_reason, "), limit ",
                   report.hard_limit, " s, ", report.steps, " steps\n");
+  text += stages_text(report);
   text += message("memory        about ", readable_bytes(report.memory),
                   report.output > 0.0
                       ? message(", and ", readable_bytes(report.output), " of frames on disk")
@@ -83,6 +99,7 @@ std::string json_of(const CheckReport& report) {
                                 {"hard_limit", {}, {report.hard_limit, {}}},
                                 {"step_reason", {}, {report.step_reason, {}}},
                                 {"steps", {}, {report.steps, {}}},
+                                {"stages", {}, stages_of(report)},
                                 {"memory", {}, {report.memory, {}}},
                                 {"output", {}, {report.output, {}}},
                                 {"seconds_to_build", {}, {report.seconds_to_build, {}}},

@@ -58,11 +58,18 @@ std::string scalar(const Tree& tree) {
   return quoted(*tree.string());
 }
 
+std::string toml_key(const std::string& name) {
+  const bool is_bare = !name.empty() && name.find_first_not_of(
+                                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                            "0123456789_-") == std::string::npos;
+  return is_bare ? name : quoted(name);
+}
+
 std::string inline_toml(const Tree& tree) {
   std::string text;
   if (const Tree::Table* table = tree.table()) {
     for (const Tree::Entry& entry : *table) {
-      text += (text.empty() ? "" : ", ") + entry.name + " = " + inline_toml(entry.value);
+      text += (text.empty() ? "" : ", ") + toml_key(entry.name) + " = " + inline_toml(entry.value);
     }
     return "{" + text + "}";
   }

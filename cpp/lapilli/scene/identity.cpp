@@ -6,6 +6,7 @@
 #include "lapilli/output/checksum.hpp"
 #include "lapilli/output/json.hpp"
 #include "lapilli/scene/resolve_files.hpp"
+#include "lapilli/scene/stage_scenes.hpp"
 #include "lapilli/scene/tree_writer.hpp"
 
 namespace lapilli {
@@ -93,6 +94,31 @@ std::string file_in_words(const std::string& name) {
   }
 }
 
+/// A run may go on to a later end of its last stage, unless that changes the steps.
+void forget_last_end(Scene& scene) {
+  const std::vector<StageScene> stages = stage_scenes(with_resolved_files(scene));
+  if (!stages.back().scene.time.steps) {
+    scene.stages.back().end = 0.0;
+  }
+}
+
+std::vector<std::pair<std::string, std::string>> files_set_by_stages(const Scene& scene) {
+  std::vector<std::pair<std::string, std::string>> all;
+  if (scene.stages.empty()) {
+    return all;
+  }
+  const Scene resolved = with_resolved_files(scene);
+  const std::vector<std::string> known = input_files(resolved);
+  for (const StageScene& stage : stage_scenes(resolved)) {
+    for (const std::string& file : input_files(stage.scene)) {
+      if (std::ranges::find(known, file) == known.end()) {
+        all.emplace_back("file of stage " + stage.name, file);
+      }
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 SceneIdentity identity_of(const Scene& given) {
@@ -100,7 +126,9 @@ SceneIdentity identity_of(const Scene& given) {
   scene.title.clear();
   scene.output = {};
   scene.probes.clear();
-  if (!scene.time.steps) {
+  if (!scene.stages.empty()) {
+    forget_last_end(scene);
+  } else if (!scene.time.steps) {
     scene.time.end = 0.0;
   }
   Lines lines;
@@ -118,6 +146,9 @@ SceneIdentity identity_of(const Scene& given) {
   const std::vector<std::string> resolved = input_files(with_resolved_files(scene));
   for (std::size_t file = 0; file < names.size(); ++file) {
     lines.add("file " + names[file], file_in_words(resolved[file]));
+  }
+  for (const auto& [key, file] : files_set_by_stages(given)) {
+    lines.add(key, file_in_words(file));
   }
   return lines.take();
 }

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "lapilli/core/simulation.hpp"
 #include "lapilli/output/checkpoint.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/place_errors.hpp"
@@ -27,7 +28,7 @@ std::map<std::string, std::string> settings_in(const std::string& identity) {
 }  // namespace
 
 InitialState::InitialState(const Scene& scene)
-    : dimension_(dimension_of(scene)), rows_(scene.bodies.size()) {
+    : dimension_(dimension_of(scene)), body_before_(scene.bodies.size(), -1) {
   const std::string& name = scene.initial_state;
   require_at(!name.ends_with(".vtkhdf"), scene, "initial_state",
              "names frames; the state is in the checkpoint beside them: ",
@@ -40,34 +41,67 @@ InitialState::InitialState(const Scene& scene)
   same_transfer_ =
       transfer != settings.end() && transfer->second == name_of(scene.dynamics->transfer);
 
-  const std::vector<Index> ids = state_->read_indices("points/id");
-  const std::vector<Index> bodies = state_->read_indices("points/body");
-  std::vector<Index> by_id(ids.size());
-  std::iota(by_id.begin(), by_id.end(), Index{0});
-  std::ranges::sort(by_id, {}, [&](Index row) { return ids[static_cast<std::size_t>(row)]; });
-  require_at(state_->read_numbers("points/position").size() == ids.size() * dimension_, scene,
+  require_at(state_->contains("dynamics/velocity"), scene, "initial_state",
+             "is of a run without [dynamics]");
+  const std::size_t points = state_->read_indices("points/id").size();
+  require_at(state_->read_numbers("points/position").size() == points * dimension_, scene,
              "initial_state", "is of a run of another dimension");
   std::string known;
-  for (Index number = 0;; ++number) {
+  for (int number = 0;; ++number) {
     const auto found = settings.find(message("bodies.", number, ".name"));
     if (found == settings.end()) {
       break;
     }
     known += (known.empty() ? "" : ", ") + found->second;
     for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-      if (scene.bodies[body].name.empty() || scene.bodies[body].name != found->second) {
-        continue;
-      }
-      for (const Index row : by_id) {
-        if (bodies[row] == number) {
-          rows_[body].push_back(row);
-        }
+      if (!scene.bodies[body].name.empty() && scene.bodies[body].name == found->second) {
+        body_before_[body] = number;
       }
     }
   }
+  find_rows();
   require_at(std::any_of(rows_.begin(), rows_.end(), [](const auto& own) { return !own.empty(); }),
              scene, "initial_state", "holds none of the bodies of this scene, but ",
              known.empty() ? "bodies without names" : known);
+}
+
+InitialState::InitialState(const StageScene& stage, std::shared_ptr<const Archive> before)
+    : state_(std::move(before)),
+      dimension_(dimension_of(stage.scene)),
+      keeps_ids_(true),
+      same_transfer_(stage.same_transfer),
+      at_rest_(stage.at_rest),
+      body_before_(stage.body_before),
+      obstacle_before_(stage.obstacle_before),
+      load_before_(stage.load_before),
+      same_heat_laws_(stage.same_heat_laws) {
+  find_rows();
+}
+
+std::vector<std::vector<Index>> InitialState::rows_by_body() const {
+  const std::vector<Index> ids = state_->read_indices("points/id");
+  const std::vector<Index> bodies = state_->read_indices("points/body");
+  std::vector<Index> by_id(ids.size());
+  std::iota(by_id.begin(), by_id.end(), Index{0});
+  std::ranges::sort(by_id, {}, [&](Index row) { return ids[static_cast<std::size_t>(row)]; });
+  std::vector<std::vector<Index>> rows;
+  for (const Index row : by_id) {
+    const auto body = static_cast<std::size_t>(bodies[static_cast<std::size_t>(row)]);
+    rows.resize(std::max(rows.size(), body + 1));
+    rows[body].push_back(row);
+  }
+  return rows;
+}
+
+void InitialState::find_rows() {
+  const std::vector<std::vector<Index>> there = rows_by_body();
+  rows_.resize(body_before_.size());
+  for (std::size_t body = 0; body < rows_.size(); ++body) {
+    const int before = body_before_[body];
+    if (before >= 0 && static_cast<std::size_t>(before) < there.size()) {
+      rows_[body] = there[static_cast<std::size_t>(before)];
+    }
+  }
 }
 
 void InitialState::replace(std::vector<FilledPoints>& filled) const {
@@ -87,16 +121,65 @@ void InitialState::replace(std::vector<FilledPoints>& filled) const {
   }
 }
 
-std::shared_ptr<const PointStart> InitialState::points(
-    const std::vector<FilledPoints>& filled) const {
-  auto start = std::make_shared<PointStart>();
-  start->state = state_;
-  start->same_transfer = same_transfer_;
+/// Of the points of a body: those they had, or counted on.
+std::vector<Index> InitialState::ids_of(std::size_t body,
+                                        const std::vector<FilledPoints>& filled) const {
+  if (keeps_ids_ && continues(body)) {
+    const std::vector<Index> all = state_->read_indices("points/id");
+    std::vector<Index> ids;
+    for (const Index row : rows_[body]) {
+      ids.push_back(all[static_cast<std::size_t>(row)]);
+    }
+    return ids;
+  }
+  Index first = keeps_ids_ ? Simulation::created_in(*state_) : 0;
+  for (std::size_t before = 0; before < body; ++before) {
+    first += keeps_ids_ && continues(before) ? 0 : static_cast<Index>(filled[before].size());
+  }
+  std::vector<Index> ids(filled[body].size());
+  std::iota(ids.begin(), ids.end(), first);
+  return ids;
+}
+
+/// Ids of points that are gone are not given again: there are as many as were ever created.
+std::unique_ptr<Points> InitialState::points(const std::vector<FilledPoints>& filled) const {
+  auto points = std::make_unique<Points>(dimension_);
+  std::vector<Index> ids;
   for (std::size_t body = 0; body < filled.size(); ++body) {
-    if (continues(body)) {
-      start->row.insert(start->row.end(), rows_[body].begin(), rows_[body].end());
-    } else {
-      start->row.insert(start->row.end(), filled[body].size(), -1);
+    points->append(filled[body].position, filled[body].volume, static_cast<int>(body));
+    const std::vector<Index> own = ids_of(body, filled);
+    ids.insert(ids.end(), own.begin(), own.end());
+  }
+  if (!keeps_ids_) {
+    return points;
+  }
+  Archive present;
+  points->save(present);
+  present.write("points/id", ids);
+  const Index highest = *std::ranges::max_element(ids) + 1;
+  const Index created = std::max(highest, Simulation::created_in(*state_));
+  const auto gone = static_cast<std::size_t>(created - points->size());
+  points->append(std::vector<double>(gone * static_cast<std::size_t>(dimension_)),
+                 std::vector<double>(gone), 0);
+  points->load(present);
+  return points;
+}
+
+PointStart InitialState::start(const std::vector<FilledPoints>& filled) const {
+  PointStart start;
+  start.state = state_;
+  start.same_transfer = same_transfer_;
+  start.at_rest = at_rest_;
+  start.obstacle = obstacle_before_;
+  start.load = load_before_;
+  start.same_heat_laws = same_heat_laws_;
+  for (std::size_t body = 0; body < filled.size(); ++body) {
+    start.body.push_back(continues(body) ? body_before_[body] : -1);
+    const std::vector<Index> ids = ids_of(body, filled);
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      const auto id = static_cast<std::size_t>(ids[k]);
+      start.row.resize(std::max(start.row.size(), id + 1), -1);
+      start.row[id] = continues(body) ? rows_[body][k] : -1;
     }
   }
   return start;

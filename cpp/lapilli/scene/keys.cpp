@@ -1,6 +1,7 @@
 #include "lapilli/scene/keys.hpp"
 
 #include <algorithm>
+#include <typeindex>
 #include <vector>
 
 #include "lapilli/core/allowed.hpp"
@@ -22,6 +23,7 @@ class KeyTables {
       return;
     }
     done_.push_back(heading);
+    types_.emplace_back(typeid(T));
     std::string table = "\n## `" + heading + "`\n\n";
     table += "| key | type | unit | allowed | default | meaning |\n|---|---|---|---|---|---|\n";
     if (has_kind) {
@@ -69,6 +71,8 @@ class KeyTables {
       return "integer";
     } else if constexpr (std::is_same_v<T, std::string> || Named<T>) {
       return "string";
+    } else if constexpr (std::is_same_v<T, Overrides>) {
+      return "table";
     } else if constexpr (std::is_same_v<T, Value>) {
       return "number or `{times, values}`";
     } else if constexpr (std::is_same_v<T, SymmetricTensor>) {
@@ -136,6 +140,9 @@ class KeyTables {
   // "shape annulus".
   template <class T>
   void follow(const Key& key, const T&, const std::string& heading) {
+    if (heading.starts_with("[[") && is_known<T>()) {
+      return;  // what a stage adds is as in the scene
+    }
     if constexpr (is_optional<T>) {
       follow(key, typename T::value_type{}, heading);
     } else if constexpr (is_vector<T>) {
@@ -173,6 +180,18 @@ class KeyTables {
     return name + ".";
   }
 
+  /// Whether there is a table for this, or what a list of it holds, already.
+  template <class T>
+  bool is_known() const {
+    if constexpr (is_vector<T>) {
+      return is_known<typename T::value_type>();
+    } else if constexpr (std::is_same_v<T, DynamicsBoundary>) {
+      return is_known<Pressure>();
+    } else {
+      return std::find(types_.begin(), types_.end(), std::type_index(typeid(T))) != types_.end();
+    }
+  }
+
   template <Kinded T>
   void follow_kinds(const std::string& name) {
     for_each_kind<T>([&](auto type) {
@@ -183,6 +202,7 @@ class KeyTables {
 
   std::vector<std::string> done_;
   std::vector<std::string> tables_;
+  std::vector<std::type_index> types_;
 };
 
 }  // namespace

@@ -62,10 +62,43 @@ void forget_places(Tree& tree) {
   }
 }
 
+/// Finds the text member `name` of a described struct.
+struct NameOf {
+  std::string name;
+  template <class T>
+  void operator()(const Key& key, const T& member) {
+    if constexpr (std::is_same_v<T, std::string>) {
+      if (std::string_view(key.name) == "name") {
+        name = member;
+      }
+    }
+  }
+};
+
+/// What an element of a list may be called by: its name, or its kind.
+template <class T>
+std::vector<std::string> names_of(const T& element) {
+  std::vector<std::string> names;
+  if constexpr (Kinded<T>) {
+    std::visit(
+        [&](const auto& alternative) {
+          names = names_of(alternative);
+          names.emplace_back(alternative.kind);
+        },
+        variant_of(element));
+  } else if constexpr (Described<T>) {
+    NameOf found;
+    T::describe(element, found);
+    names.push_back(found.name);
+  }
+  return names;
+}
+
 // Walks down a scene to the member at a path and reads a value into it.
 class Setter {
  public:
-  Setter(Places& places, const Tree& value) : reader_(places), value_(value) {}
+  Setter(Places& places, const Tree& value, std::string label)
+      : reader_(places), value_(value), label_(std::move(label)) {}
 
   /// Throws every mistake that reading the value met.
   void throw_mistakes() const { reader_.throw_mistakes(); }
@@ -87,14 +120,15 @@ class Setter {
       set(held, key, at, rest);
       member = T(std::move(held));
     } else if constexpr (Kinded<T>) {
-      require(rest.front() != "kind", "--set: ", at,
+      require(rest.front() != "kind", label_, at,
               ".kind cannot change alone: set the whole of it, ", at, "={kind = ...}");
       std::visit([&](auto& alternative) { set(alternative, key, at, rest); }, variant_of(member));
     } else if constexpr (Described<T>) {
       set_member(member, at, rest);
+    } else if constexpr (std::is_same_v<T, Overrides>) {
+      set_entry(member, rest);
     } else {
-      require(false, "--set: ", at, " has no parts, so there is no ",
-              joined_path(at, rest.front()));
+      require(false, label_, at, " has no parts, so there is no ", joined_path(at, rest.front()));
     }
   }
 
@@ -111,7 +145,7 @@ class Setter {
       }
     };
     T::describe(object, visit);
-    require(found, "--set: ", joined_path(at, rest.front()), " is no known key",
+    require(found, label_, joined_path(at, rest.front()), " is no known key",
             suggestion(rest.front(), allowed));
   }
 
@@ -122,16 +156,62 @@ class Setter {
     const char* end = word.data() + word.size();
     const auto [stop, error] = std::from_chars(word.data(), end, index);
     const bool is_number = error == std::errc() && stop == end && !word.empty();
-    if (!is_number && key.single_allowed && list.size() == 1) {
+    const std::vector<std::size_t> called =
+        is_number ? std::vector<std::size_t>() : at_name(list, word);
+    if (!is_number && called.empty() && key.single_allowed && list.size() == 1) {
       set(list.front(), key, at, rest);
       return;
     }
-    require(is_number && index < list.size(),
-            "--set: ", is_number ? element_path(at, index) : joined_path(at, word),
-            " does not exist: ", at, " has ", list.size(), " entries, counted from 0");
+    if (!is_number) {
+      require(called.size() < 2, label_, joined_path(at, word), " could be any of ", called.size(),
+              " entries: give its number, counted from 0");
+      require(!called.empty(), label_, joined_path(at, word), " does not exist: ", at, " has ",
+              list.size(), " entries, counted from 0", listed(list));
+      index = called.front();
+    }
+    require(index < list.size(), label_, element_path(at, index), " does not exist: ", at, " has ",
+            list.size(), " entries, counted from 0");
     T element = list[index];
     set(element, key, element_path(at, index), rest.subspan(1));
     list[index] = std::move(element);
+  }
+
+  /// The entries called `word`; by their kind only where none has that name.
+  template <class T>
+  static std::vector<std::size_t> at_name(const std::vector<T>& list, const std::string& word) {
+    std::vector<std::size_t> named, of_kind;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const std::vector<std::string> names = names_of(list[k]);
+      if (!names.empty() && names.front() == word) {
+        named.push_back(k);
+      } else if (!names.empty() && names.back() == word) {
+        of_kind.push_back(k);
+      }
+    }
+    return named.empty() ? of_kind : named;
+  }
+
+  /// "; they are called clay, gravel".
+  template <class T>
+  static std::string listed(const std::vector<T>& list) {
+    std::string text;
+    for (const T& element : list) {
+      const std::vector<std::string> names = names_of(element);
+      if (!names.empty()) {
+        const std::string& name = names.front().empty() ? names.back() : names.front();
+        text += name.empty() ? "" : (text.empty() ? "; they are called " : ", ") + name;
+      }
+    }
+    return text;
+  }
+
+  void set_entry(Overrides& overrides, Path rest) const {
+    std::string name;
+    for (const std::string& word : rest) {
+      name = joined_path(name, word);
+    }
+    std::erase_if(overrides.entries, [&](const Tree::Entry& entry) { return entry.name == name; });
+    overrides.entries.push_back({name, {}, value_});
   }
 
   // {a = {b = value}} for the path a.b.
@@ -145,9 +225,21 @@ class Setter {
 
   TreeReader reader_;
   const Tree& value_;
+  std::string label_;
 };
 
 }  // namespace
+
+void set_member(Scene& scene, const std::vector<std::string>& path, const Tree& value,
+                const std::string& label) {
+  Places places;
+  places.source = label.empty() ? label : label.substr(0, label.size() - 2);
+  Scene changed = scene;
+  Setter setter(places, value, label);
+  setter.set(changed, Key(""), "", path);
+  setter.throw_mistakes();
+  scene = std::move(changed);
+}
 
 std::vector<std::string> path_names(const std::string& path) {
   std::vector<std::string> names(1);
@@ -176,12 +268,8 @@ void apply_override(Scene& scene, const std::string& assignment) {
   Tree value = value_of(trimmed(assignment.substr(equals + 1)));
   forget_places(value);
   const std::vector<std::string> names = path_names(trimmed(assignment.substr(0, equals)));
-  Places set_places;
-  set_places.source = "--set";
   Scene changed = scene;
-  Setter setter(set_places, value);
-  setter.set(changed, Key(""), "", names);
-  setter.throw_mistakes();
+  set_member(changed, names, value, "--set: ");
   if (scene.places) {
     auto places = std::make_shared<Places>(*scene.places);
     const std::string path = spelled_path(names);

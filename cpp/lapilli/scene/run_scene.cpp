@@ -5,9 +5,12 @@
 
 #include "lapilli/output/checksum.hpp"
 #include "lapilli/scene/audit.hpp"
+#include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/identity.hpp"
+#include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/scene_file.hpp"
+#include "lapilli/scene/stage_scenes.hpp"
 #include "lapilli/scene/validate_heat.hpp"
 
 namespace lapilli {
@@ -19,6 +22,31 @@ std::string text_for_record(const Scene& scene) {
   } catch (const std::invalid_argument&) {
     return "";  // functions or arrays: the JSON settings name them
   }
+}
+
+/// A bound for the points of any stage; 0 where the first has as many as all.
+Index most_points(const Scene& as_written, const Points& first) {
+  if (as_written.stages.empty()) {
+    return 0;
+  }
+  const std::vector<StageScene> stages = stage_scenes(with_resolved_files(as_written));
+  std::vector<Index> of_body(body_names(as_written).size(), 0);
+  for (const Index body : first.body()) {
+    ++of_body[static_cast<std::size_t>(body)];
+  }
+  Index most = first.size();
+  for (const StageScene& stage : stages) {
+    Index here = 0;
+    for (std::size_t body = 0; body < stage.scene.bodies.size(); ++body) {
+      Index& count = of_body[static_cast<std::size_t>(stage.body_number[body])];
+      if (stage.body_before[body] < 0 && count == 0) {
+        count = static_cast<Index>(fill_body(stage.scene, body).size());
+      }
+      here += count;
+    }
+    most = std::max(most, here);
+  }
+  return most;
 }
 
 }  // namespace
@@ -35,9 +63,15 @@ Scene with_output(Scene scene, const std::string& path, double every) {
 }
 
 FrameOptions frame_options(const Scene& scene) {
-  return {scene.output.fields, scene.output.precision == Precision::single,
-          static_cast<int>(scene.output.compression),
-          scene.dynamics && scene.dynamics->outside == Outside::remove};
+  FrameOptions options{scene.output.fields, scene.output.precision == Precision::single,
+                       static_cast<int>(scene.output.compression), false};
+  if (scene.dynamics && scene.dynamics->outside == Outside::remove) {
+    options.points_leave = true;
+  }
+  if (!scene.stages.empty()) {
+    options.points_leave = true;  // whether they do may change from stage to stage
+  }
+  return options;
 }
 
 std::vector<Probe> probes_of(const Scene& scene) {
@@ -55,7 +89,7 @@ RunOptions run_options(const Scene& scene) {
   options.frame_steps = scene.output.every_steps.value_or(0);
   options.frames = frame_options(scene);
   options.probes = probes_of(scene);
-  options.bodies = static_cast<int>(scene.bodies.size());
+  options.bodies = static_cast<int>(body_names(scene).size());
   if (scene.output.history_every) {
     options.history.emplace_back(*scene.output.history_every, 0);
   }
@@ -79,6 +113,7 @@ RunOptions run_options(const Scene& scene) {
 
 RunOptions run_options(const Scene& scene, const Points& points) {
   RunOptions options = run_options(scene);
+  options.frames.most_points = most_points(scene, points);
   options.volumes = body_volumes_at_start(scene, points);
   std::ranges::copy(volume_warnings(options.volumes, points.dimension()),
                     std::back_inserter(options.notes));

@@ -12,6 +12,7 @@
 #include "lapilli/mpm/transfer/shape_function.hpp"
 #include "lapilli/scene/body.hpp"
 #include "lapilli/scene/peridynamics.hpp"
+#include "lapilli/scene/stage.hpp"
 
 namespace lapilli {
 
@@ -146,6 +147,7 @@ struct Scene {
   TimeSettings time;
   OutputSettings output;
   std::vector<ProbeSettings> probes;
+  std::vector<Stage> stages;             // that follow the scene as it stands
   std::shared_ptr<const Places> places;  // where each key stood in the file; null when in none
 
   template <class Self, class Visitor>
@@ -168,6 +170,9 @@ struct Scene {
     visit(Key("time").required().text("end and steps"), self.time);
     visit(Key("output").text("frames and checkpoints"), self.output);
     visit(Key("probes").text("fields recorded in time at single positions"), self.probes);
+    visit(Key("stages").text(
+              "what follows in the same run after time.end: other loads, properties, bodies"),
+          self.stages);
   }
 };
 

@@ -32,6 +32,11 @@ std::string to_json(const Scene& scene);
 /// single word may be left out. Throws as a file's reader does.
 void apply_override(Scene& scene, const std::string& assignment);
 
+/// Set the member at a path to a value without places; elements of lists go by number, name or
+/// kind. `label`, "--set: ", stands before messages.
+void set_member(Scene& scene, const std::vector<std::string>& path, const Tree& value,
+                const std::string& label);
+
 /// The names of a path: "bodies[0].shape" and "bodies.0.shape" give bodies, 0, shape.
 std::vector<std::string> path_names(const std::string& path);
 

@@ -67,6 +67,8 @@ class SchemaWriter {
       return ranged("integer", key);
     } else if constexpr (std::is_same_v<T, std::string>) {
       return of_type("string");
+    } else if constexpr (std::is_same_v<T, Overrides>) {
+      return of_type("object");
     } else if constexpr (std::is_same_v<T, Value>) {
       return any_of({ranged("number", key), table_over("times", key)});
     } else if constexpr (std::is_same_v<T, SymmetricTensor>) {

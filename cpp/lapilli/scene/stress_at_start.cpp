@@ -10,13 +10,14 @@ namespace {
 
 double density_of(const Body& body) { return elastic_part(solids_in(body).front()).density; }
 
-Vec3 gravity_at_start(const Scene& scene) {
-  return scene.dynamics->gravity_factor.at(0.0) * place(scene.dynamics->gravity);
+Vec3 gravity_at(const Scene& scene, double time) {
+  return scene.dynamics->gravity_factor.at(time) * place(scene.dynamics->gravity);
 }
 
 }  // namespace
 
-StressAtStart::StressAtStart(const Scene& scene) : scene_(scene) {
+StressAtStart::StressAtStart(const Scene& scene, double time)
+    : scene_(scene), gravity_(scene.dynamics ? gravity_at(scene, time) : Vec3(Vec3::Zero())) {
   const auto weighed = [](const Body& body) {
     return body.geostatic && body.geostatic->surface.empty();
   };
@@ -32,8 +33,7 @@ StressAtStart::StressAtStart(const Scene& scene) : scene_(scene) {
     layers.push_back({*shape, density_of(scene.bodies[k])});
   }
   overburden_ = at_place(scene, "dynamics.gravity", [&] {
-    return std::make_shared<const Overburden>(std::move(layers), gravity_at_start(scene),
-                                              grid_bounds(scene));
+    return std::make_shared<const Overburden>(std::move(layers), gravity_, grid_bounds(scene));
   });
 }
 
@@ -42,7 +42,7 @@ std::function<SymmetricTensor(const Vec3&)> StressAtStart::of(std::size_t body) 
   if (!rest) {
     return {};
   }
-  const Vec3 gravity = gravity_at_start(scene_);
+  const Vec3 gravity = gravity_;
   if (rest->surface.empty()) {
     return [rest = *rest, gravity, above = overburden_](const Vec3& at) {
       return stress_under(rest, above->at(at), gravity);

@@ -11,6 +11,7 @@
 #include "lapilli/materials/over_temperature.hpp"
 #include "lapilli/scene/member_types.hpp"
 #include "lapilli/scene/mistakes.hpp"
+#include "lapilli/scene/stage.hpp"
 #include "lapilli/scene/tree.hpp"
 
 namespace lapilli {
@@ -129,6 +130,8 @@ void TreeReader::read(const Tree& tree, const Key& key, const std::string& path,
     typename T::constant_type constant{};
     read(tree, key, path, constant);
     member = constant;
+  } else if constexpr (std::is_same_v<T, Overrides>) {
+    member.entries = table_of(tree, path);
   } else if constexpr (Named<T>) {
     read_name(tree, path, member);
   } else if constexpr (is_optional<T>) {

@@ -10,6 +10,7 @@
 #include "lapilli/core/value.hpp"
 #include "lapilli/materials/over_temperature.hpp"
 #include "lapilli/scene/member_types.hpp"
+#include "lapilli/scene/stage.hpp"
 #include "lapilli/scene/tree.hpp"
 #include "lapilli/scene/tree_reader.hpp"
 
@@ -62,6 +63,8 @@ Tree TreeWriter::write(const T& member, const Key& key, const std::string& path)
   } else if constexpr (is_over_temperature<T>) {
     return member.varies() ? write_table(*member.table(), path)
                            : write(member.constant(), key, path);
+  } else if constexpr (std::is_same_v<T, Overrides>) {
+    return member.entries.empty() ? Tree{} : Tree{member.entries, {}};
   } else if constexpr (Named<T>) {
     return {std::string(name_of(member)), {}};
   } else if constexpr (is_optional<T>) {

@@ -13,6 +13,7 @@
 #include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/validate_heat.hpp"
 #include "lapilli/scene/validate_peridynamics.hpp"
+#include "lapilli/scene/validate_stages.hpp"
 
 namespace lapilli {
 namespace {
@@ -329,6 +330,7 @@ void validate(const Scene& as_written) {
     mistakes.gather([&] { check_body_material(scene, scene.bodies[k], path); });
   }
   mistakes.throw_if_any();
+  validate_stages(scene);
 }
 
 }  // namespace lapilli

@@ -25,9 +25,7 @@ def command(
     ] = None,
     only: Annotated[
         list[Group] | None,
-        Parameter(
-            negative=(), help="one group of runs at their automatic steps; may be repeated"
-        ),
+        Parameter(negative=(), help="one group of runs at their automatic steps; may be repeated"),
     ] = None,
     quick: Annotated[bool, Parameter(negative=(), help="four steps a case")] = False,
     workers: Workers = 1,
@@ -49,5 +47,7 @@ def command(
     del verbose
     from lapilli.extremes.show import show_extremes
 
-    kept = show_extremes([*(transfer or ()), *(only or ())], quick, workers, store, json, plot, quiet)
+    kept = show_extremes(
+        [*(transfer or ()), *(only or ())], quick, workers, store, json, plot, quiet
+    )
     return FINISHED if kept else BAR_MISSED

@@ -45,6 +45,12 @@ class RandomMembers {
         }
         member = std::move(table);
       }
+    } else if constexpr (std::is_same_v<T, Overrides>) {
+      member.entries.clear();
+      const std::size_t count = below(3);
+      for (std::size_t k = 1; k <= count; ++k) {  // in the order that files are read in
+        member.entries.push_back({message(k, text()), {}, {number(Key("")), {}}});
+      }
     } else if constexpr (Named<T>) {
       const auto count = std::size(Names<T>::values);
       member = Names<T>::values[below(count)].first;

@@ -212,3 +212,24 @@ def test_a_cavity_convects_the_same_wherever_it_lies(seed: int):
     assert np.mean(hot) == pytest.approx(1.1178, rel=0.02)
     assert np.mean(cold) == pytest.approx(np.mean(hot), rel=1e-3)
     assert simulation.balance()[0].residual == pytest.approx(0.0, abs=1e-12)
+
+
+def test_buoyancy_does_not_depend_on_where_temperatures_are_counted_from():
+    """The same cavity in degrees Celsius and in kelvin, no reference temperature given. It was 0:
+    the uniform excess of 20 degrees over it pressed the fluid together by a tenth, and the run
+    stopped over its sound speed."""
+    scenes = [cavity(12.0, 1e3, 20.0, np.array([0.3, 0.6])) for _ in range(2)]
+    found = []
+    for scene, zero in zip(scenes, (20.0, 293.15), strict=True):
+        scene.bodies[0].material[1].reference_temperature = 0.0
+        scene.bodies[0].temperature += zero
+        for wall in scene.peridynamics.walls[:2]:
+            wall.temperature = wall.temperature + zero
+        simulation = lp.Simulation(scene)
+        simulation.run_until(0.1 * scene.time.end)
+        numbers = simulation.diagnostics()
+        found.append((simulation.by_id("velocity"), numbers["heat/heat_flow_from_wall_hot"]))
+        assert numbers["flow/greatest_density_variation"] < 0.03
+    size = np.abs(found[0][0]).max()
+    assert np.abs(found[0][0] - found[1][0]).max() < 1e-6 * size
+    assert found[1][1] == pytest.approx(found[0][1], rel=1e-6)

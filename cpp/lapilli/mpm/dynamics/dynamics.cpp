@@ -7,8 +7,8 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/bounds.hpp"
 #include "lapilli/mpm/dynamics/damp_nodes.hpp"
+#include "lapilli/mpm/dynamics/go_on.hpp"
 #include "lapilli/mpm/dynamics/point_kernel.hpp"
-#include "lapilli/mpm/dynamics/point_start.hpp"
 #include "lapilli/mpm/dynamics/project_to_grid.hpp"
 #include "lapilli/mpm/dynamics/stable_choice.hpp"
 #include "lapilli/mpm/dynamics/update_points.hpp"
@@ -20,12 +20,12 @@ Dynamics<Dim>::Dynamics(Points& points, const DynamicsProblem<Dim>& problem)
     : data_(points, problem) {
   require_stable_choice(data_);
   start_affine(problem);
-  if (problem.start) {
-    problem.start->apply(data_);
+  if (problem.start && problem.start->state) {
+    go_on(*problem.start, data_);
   }
   data_.order.update(points);
   if (problem.bodies.size() > 1 || !problem.settings.contacts.empty()) {
-    ContactGroups groups = contact_groups(data_, problem.bodies);
+    ContactGroups groups = contact_groups(data_, problem.bodies, problem.start.get());
     described_contacts_ = described(groups);
     contacts_ = make_contacts(data_, problem.bodies, std::move(groups));
   }
@@ -62,7 +62,7 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   book_waiting(step.size);
   project_to_grid(data_, step.size);
   if (loads_) {
-    loads_->add_forces(data_, step.time);
+    loads_->add_forces(data_, step.time, step.size);
   }
   const NodeSums nodes = solve_nodes(step);
   const double load_work = loads_ ? loads_->work() : 0.0;
@@ -75,6 +75,9 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
     divide_second_velocity(data_);
     if (contacts_) {
       contacts_->push_second(data_, step.size);
+    }
+    if (obstacles_) {
+      obstacles_->push_second(data_);
     }
     hold_second_velocity(data_);
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lapilli/core/says_model.hpp"
+#include "lapilli/core/stores_in_points.hpp"
 #include "lapilli/core/warnings.hpp"
 #include "lapilli/mpm/dynamics/contacts/body_contacts.hpp"
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
@@ -17,7 +18,11 @@ namespace lapilli {
 /// Explicit dynamics balance of material points in plane strain (Dim = 2, per metre of depth) or
 /// space. Owns velocity and stress, and moves the points.
 template <int Dim>
-class Dynamics final : public Physics, public HasSurface, public Warnings, public SaysModel {
+class Dynamics final : public Physics,
+                       public HasSurface,
+                       public Warnings,
+                       public SaysModel,
+                       public StoresInPoints {
  public:
   /// Throws std::invalid_argument for settings, materials or points out of range.
   Dynamics(Points& points, const DynamicsProblem<Dim>& problem);
@@ -28,6 +33,7 @@ class Dynamics final : public Physics, public HasSurface, public Warnings, publi
   void refresh_output() override;
   std::vector<Field> fields() override;
   std::vector<Balance> balances() const override;
+  std::vector<double> stored_in(std::span<const Index> rows) const override;
   void release(std::span<const Index> rows) override;
   SurfaceView surface() const override;
   void save(Archive& archive) const override;

@@ -5,6 +5,7 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/point_kernel.hpp"
+#include "lapilli/mpm/transfer/point_start.hpp"
 
 namespace lapilli {
 
@@ -73,10 +74,16 @@ double full_cell(const DynamicsData<Dim>& data) {
 
 namespace {
 
-std::vector<std::vector<StateVariable>> variables_of(const std::vector<DynamicsBody>& bodies) {
+template <int Dim>
+std::vector<std::vector<StateVariable>> variables_of(const DynamicsProblem<Dim>& problem) {
   std::vector<std::vector<StateVariable>> all;
-  for (const DynamicsBody& body : bodies) {
+  for (const DynamicsBody& body : problem.bodies) {
     all.push_back(state_variables(body.material));
+  }
+  if (problem.start) {
+    for (const Solid& solid : problem.start->other_stages) {
+      all.push_back(state_variables(solid));
+    }
   }
   return all;
 }
@@ -93,13 +100,13 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
       mass(of_points, 1),
       velocity(of_points, Dim),
       stress(of_points, stress_components),
-      states(of_points, variables_of(problem.bodies)),
+      states(of_points, variables_of(problem)),
       order(problem.grid, problem.shape == ShapeFunction::linear ? 2 : 3),
       fields(problem.grid),
       nodes(problem.grid, problem.shape, problem.settings) {
   check(settings, Dim);
   std::copy(settings.gravity.begin(), settings.gravity.end(), gravity.data());
-  gravity *= settings.gravity_factor.at(0.0);
+  gravity *= settings.gravity_factor.at(problem.start ? problem.start->time : 0.0);
   require(points.dimension() == Dim, "momentum of dimension ", Dim, " got points of dimension ",
           points.dimension());
   for (const DynamicsBody& body : problem.bodies) {

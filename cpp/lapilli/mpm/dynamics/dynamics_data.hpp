@@ -81,10 +81,6 @@ struct DynamicsData {
 
   /// Zero what is projected to the nodes of all fields.
   void clear_nodes();
-  /// Call action(node, share) for the nodes of all fields at a node of the whole grid, each with
-  /// its share of their mass.
-  template <class Action>
-  void for_each_share(Index node, const Action& action) const;
 
   Grid<Dim> grid;
   ShapeFunction shape;
@@ -113,26 +109,6 @@ struct DynamicsData {
   DynamicsNodes<Dim> nodes;
   std::unique_ptr<CellDilatation<Dim>> dilatation;  // null where no body is averaged
 };
-
-template <int Dim>
-template <class Action>
-void DynamicsData<Dim>::for_each_share(Index node, const Action& action) const {
-  if (fields.is_single()) {
-    action(node, 1.0);
-    return;
-  }
-  double total = 0.0;
-  for (int field = 0; field < fields.count(); ++field) {
-    const Index here = fields.node_in(field, node);
-    total += here < 0 ? 0.0 : nodes.mass()[here];
-  }
-  for (int field = 0; field < fields.count(); ++field) {
-    const Index here = fields.node_in(field, node);
-    if (here >= 0 && nodes.mass()[here] > empty_node) {
-      action(here, nodes.mass()[here] / total);
-    }
-  }
-}
 
 /// Mass of a cell full of the lightest material, kg.
 template <int Dim>

@@ -44,6 +44,20 @@ void Dynamics<Dim>::book_waiting(double step) {
 }
 
 template <int Dim>
+std::vector<double> Dynamics<Dim>::stored_in(std::span<const Index> rows) const {
+  const Vec<Dim> gravity = data_.gravity.template head<Dim>();
+  std::vector<double> stored(1 + Dim, 0.0);
+  for (const Index row : rows) {
+    const double height = gravity.dot(data_.points.template position<Dim>(row));
+    stored[0] += kinetic_energy_of(row) - data_.mass[row] * height + elastic_energy_of(row);
+    for (int axis = 0; axis < Dim; ++axis) {
+      stored[1 + axis] += data_.mass[row] * data_.velocity[row * Dim + axis];
+    }
+  }
+  return stored;
+}
+
+template <int Dim>
 void Dynamics<Dim>::release(std::span<const Index> rows) {
   const Vec<Dim> gravity = data_.gravity.template head<Dim>();
   for (const Index row : rows) {
@@ -80,6 +94,10 @@ void Dynamics<Dim>::load_removed(const Archive& archive) {
 template <int Dim>
 std::vector<std::string> Dynamics<Dim>::warnings() const {
   std::vector<std::string> all = lapilli::warnings(data_.settings);
+  if (loads_) {
+    const std::vector<std::string> lost = loads_->warnings();
+    all.insert(all.end(), lost.begin(), lost.end());
+  }
   if (removed_.points > 0.0) {
     all.push_back(message(removed_.points,
                           " points left the grid and were removed: ", removed_.mass, " kg",
@@ -92,6 +110,8 @@ template void Dynamics<2>::find_outside();
 template void Dynamics<3>::find_outside();
 template void Dynamics<2>::book_waiting(double);
 template void Dynamics<3>::book_waiting(double);
+template std::vector<double> Dynamics<2>::stored_in(std::span<const Index>) const;
+template std::vector<double> Dynamics<3>::stored_in(std::span<const Index>) const;
 template void Dynamics<2>::release(std::span<const Index>);
 template void Dynamics<3>::release(std::span<const Index>);
 template void Dynamics<2>::save_removed(Archive&) const;

@@ -5,6 +5,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/cell_sums.hpp"
 #include "lapilli/mpm/surface/surface_regions.hpp"
+#include "lapilli/mpm/transfer/point_start.hpp"
 
 #pragma GCC diagnostic ignored "-Wpsabi"
 
@@ -33,16 +34,17 @@ ContactFaces contact_faces(const Walls& walls) {
   return faces;
 }
 
-/// sum V S and sum V grad S of the points of one strip.
+/// sum V S and sum V grad S of the points of one strip, of one velocity field.
 template <int Dim, class Shape>
-void project_rows(const DynamicsData<Dim>& data, const Stencil<Dim, Shape>& stencil,
+void project_rows(const DynamicsData<Dim>& data, const NodeField<Dim>& field,
                   double* const (&to)[1 + Dim], Index begin, Index end) {
+  const Stencil<Dim, Shape> stencil(field.grid);
   CellSums<Dim, Shape, 1 + Dim> sums(stencil, to);
   const ShapeOfBody<Shape> shape_of(data.half_widths);
   const double* position = data.points.position().data();
   for (Index row = begin; row < end; ++row) {
-    const AxisWeights<Dim, Shape> axes(data.grid, shape_of(data.points.body()[row]),
-                                       position + row * Dim);
+    const AxisWeights<Dim, Shape> axes(field.grid, shape_of(data.points.body()[row]),
+                                       position + row * Dim, field.offset);
     const SimdWeights<Dim, Shape> w(axes.value, axes.slope);
     const double volume = data.points.volume()[row];
     sums.move_to(axes.first);
@@ -78,14 +80,38 @@ SurfaceLoads<Dim>::SurfaceLoads(const DynamicsData<Dim>& data, const DynamicsPro
     }
   }
   outside_.start(data.points, problem.distance);
+  keeps_ratios_ = problem.start != nullptr;
+  if (keeps_ratios_) {
+    go_on(*problem.start);
+  }
   find_surface(data);
   compare_with_shapes(data, problem);
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    start_area_.push_back(area_of(law));
+  }
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     require(!nodes_[law].node.empty(), "dynamics.boundaries.", law, " (",
             name_of_law(laws_[law], law), ") selects no surface: ",
             region_of(laws_[law]) != nullptr ? "its region covers none that an earlier law left"
                                              : "earlier laws left none");
   }
+}
+
+/// Loads that go on are scaled as they were: bodies have moved away from their shapes.
+template <int Dim>
+void SurfaceLoads<Dim>::go_on(const PointStart& start) {
+  const std::string name = "dynamics/loads/area_ratios";
+  if (start.state == nullptr || start.load.empty() || !start.state->contains(name)) {
+    return;
+  }
+  const std::vector<double> before = start.state->read_numbers(name);
+  std::vector<double> ratios(laws_.size(), 1.0);
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    if (start.load[law] >= 0) {
+      ratios[law] = before.at(static_cast<std::size_t>(start.load[law]));
+    }
+  }
+  ratios_.restore(std::move(ratios));
 }
 
 template <int Dim>
@@ -100,26 +126,58 @@ void SurfaceLoads<Dim>::compare_with_shapes(const DynamicsData<Dim>& data,
 
 template <int Dim>
 void SurfaceLoads<Dim>::project_surface(const DynamicsData<Dim>& data) {
-  const auto size = static_cast<std::size_t>(data.grid.node_count() + 4);
-  sums_.fraction.assign(size, 0.0);
-  sums_.area_vector.resize(size);
-  double* to[1 + Dim] = {sums_.fraction.data()};
-  for (int axis = 0; axis < Dim; ++axis) {
-    scratch_[axis].assign(size, 0.0);
-    to[1 + axis] = scratch_[axis].data();
+  const bool single = data.fields.is_single();
+  const auto whole = static_cast<std::size_t>(data.grid.node_count() + 4);
+  const std::size_t size = single ? whole : static_cast<std::size_t>(data.fields.node_count() + 4);
+  double* to[1 + Dim];
+  for (int which = 0; which <= Dim; ++which) {
+    scratch_[which].assign(size, 0.0);
+    to[which] = scratch_[which].data();
   }
   with_transfer(data.shape, VelocityTransfer::flip, [&]<class Shape, VelocityTransfer>() {
-    const Stencil<Dim, Shape> stencil(data.grid);
-    data.order.for_each_strip(
-        [&](Index begin, Index end) { project_rows<Dim, Shape>(data, stencil, to, begin, end); });
+    const auto project = [&](const NodeField<Dim>& field, Index begin, Index end) {
+      project_rows<Dim, Shape>(data, field, to, begin, end);
+    };
+    data.order.for_each_strip([&](Index begin, Index end) {
+      data.fields.for_each_run(data.points.body().data(), begin, end, project);
+    });
   });
+  sums_.fraction.resize(whole);
+  sums_.area_vector.resize(whole);
   const double per_cell = 1.0 / data.grid.cell_volume();
-  parallel_for(static_cast<Index>(size), [&](Index node) {
-    sums_.fraction[node] *= per_cell;
-    for (int axis = 0; axis < Dim; ++axis) {
-      sums_.area_vector[node][axis] = scratch_[axis][node];
+  parallel_for(data.grid.node_count(), [&](Index node) {
+    double volume = 0.0;
+    Vec<Dim> area = Vec<Dim>::Zero();
+    for (int field = 0; field < data.fields.count(); ++field) {
+      const Index here = single ? node : data.fields.node_in(field, node);
+      if (here >= 0) {
+        volume += scratch_[0][here];
+        for (int axis = 0; axis < Dim; ++axis) {
+          area[axis] += scratch_[1 + axis][here];
+        }
+      }
     }
+    sums_.fraction[node] = volume * per_cell;
+    sums_.area_vector[node] = area;
   });
+}
+
+/// Call action(node of the arrays, shares by axis) for the velocity fields that a load acts on.
+template <int Dim>
+template <class Action>
+void SurfaceLoads<Dim>::for_each_share(const DynamicsData<Dim>& data, const Nodes& nodes,
+                                       std::size_t k, const Action& action) const {
+  if (data.fields.is_single()) {
+    action(nodes.node[k], Vec<Dim>(Vec<Dim>::Ones()));
+    return;
+  }
+  for (int field = 0; field < data.fields.count(); ++field) {
+    const Vec<Dim>& shares =
+        nodes.shares[k * static_cast<std::size_t>(data.fields.count()) + field];
+    if (!shares.isZero(0.0)) {
+      action(data.fields.node_in(field, nodes.node[k]), shares);
+    }
+  }
 }
 
 template <int Dim>
@@ -164,23 +222,27 @@ void SurfaceLoads<Dim>::find_surface(const DynamicsData<Dim>& data) {
 }
 
 template <int Dim>
-void SurfaceLoads<Dim>::add_forces(DynamicsData<Dim>& data, double time) {
+void SurfaceLoads<Dim>::add_forces(DynamicsData<Dim>& data, double time, double step) {
   find_surface(data);
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     Nodes& n = nodes_[law];
     const auto* traction = std::get_if<Traction>(&laws_[law]);
+    if (!data.fields.is_single()) {
+      n.shares = traction != nullptr ? shares_of_traction(data, areas_of_fields(), n.node, n.normal)
+                                     : shares_of_pressure(data, areas_of_fields(), n.node);
+    }
     const Value& value =
         traction != nullptr ? traction->factor : std::get<Pressure>(laws_[law]).value;
-    value.evaluate(n.position, {}, time, n.value);
+    value.evaluate_mean(n.position, {}, time, time + step, n.value);
     for (std::size_t k = 0; k < n.node.size(); ++k) {
       if (traction != nullptr) {
         n.force[k] = n.area[k] * n.value[k] * Eigen::Map<const Vec<Dim>>(traction->value.data());
       } else {
         n.force[k] = -n.value[k] * n.area_vector[k];
       }
-      data.for_each_share(n.node[k], [&](Index node, double share) {
+      for_each_share(data, n, k, [&](Index node, const Vec<Dim>& share) {
         for (int axis = 0; axis < Dim; ++axis) {
-          data.nodes.increment(axis)[node] += share * n.force[k][axis];
+          data.nodes.increment(axis)[node] += share[axis] * n.force[k][axis];
         }
       });
     }
@@ -192,53 +254,16 @@ void SurfaceLoads<Dim>::book(const DynamicsData<Dim>& data, double step) {
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     const Nodes& n = nodes_[law];
     for (std::size_t k = 0; k < n.node.size(); ++k) {
-      data.for_each_share(n.node[k], [&](Index node, double share) {
+      for_each_share(data, n, k, [&](Index node, const Vec<Dim>& share) {
         for (int axis = 0; axis < Dim; ++axis) {
           const double middle =
               data.nodes.velocity(axis)[node] - 0.5 * data.nodes.increment(axis)[node];
-          work_[law] += step * share * n.force[k][axis] * middle;
-          impulse_[law][axis] += step * share * n.force[k][axis];
+          work_[law] += step * share[axis] * n.force[k][axis] * middle;
+          impulse_[law][axis] += step * share[axis] * n.force[k][axis];
         }
       });
     }
   }
-}
-
-template <int Dim>
-double SurfaceLoads<Dim>::work() const {
-  double sum = 0.0;
-  for (const double work : work_) {
-    sum += work;
-  }
-  return sum;
-}
-
-template <int Dim>
-std::vector<Balance::Entry> SurfaceLoads<Dim>::work_entries() const {
-  std::vector<Balance::Entry> entries;
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    entries.push_back({name_of_law(laws_[law], law), work_[law]});
-  }
-  return entries;
-}
-
-template <int Dim>
-std::vector<Balance::Entry> SurfaceLoads<Dim>::impulse_entries(int axis) const {
-  std::vector<Balance::Entry> entries;
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    entries.push_back({name_of_law(laws_[law], law), impulse_[law][axis]});
-  }
-  return entries;
-}
-
-template <int Dim>
-SurfaceView SurfaceLoads<Dim>::surface() const {
-  SurfaceView view;
-  view.dimension = Dim;
-  for (const Nodes& nodes : nodes_) {
-    view.append(nodes);
-  }
-  return view;
 }
 
 template <int Dim>
@@ -249,6 +274,9 @@ void SurfaceLoads<Dim>::save(Archive& archive, const std::string& name) const {
     impulse.insert(impulse.end(), of_law.data(), of_law.data() + 3);
   }
   archive.write(name + "/impulse", impulse);
+  if (keeps_ratios_ && !ratios_.values().empty()) {
+    archive.write(name + "/area_ratios", ratios_.values());
+  }
   outside_.save(archive, name + "/outside");
 }
 

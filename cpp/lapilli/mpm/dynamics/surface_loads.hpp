@@ -5,6 +5,7 @@
 
 #include "lapilli/core/balance.hpp"
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
+#include "lapilli/mpm/dynamics/load_shares.hpp"
 #include "lapilli/mpm/surface/nodal_surface.hpp"
 #include "lapilli/mpm/surface/shape_areas.hpp"
 #include "lapilli/mpm/surface/surface_view.hpp"
@@ -23,9 +24,9 @@ class SurfaceLoads {
   /// of a law selects none of it.
   SurfaceLoads(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem);
 
-  /// Find the surface and add the force of every law at `time` to the nodal forces (`increment`
-  /// before the nodes are solved).
-  void add_forces(DynamicsData<Dim>& data, double time);
+  /// Find the surface and add the force of every law, its mean over a step from `time` on, to the
+  /// nodal forces (`increment` before the nodes are solved): a pulse has its impulse in any step.
+  void add_forces(DynamicsData<Dim>& data, double time, double step);
   /// Book the work and impulse of the forces over a step, after the nodes are solved.
   void book(const DynamicsData<Dim>& data, double step);
 
@@ -33,6 +34,8 @@ class SurfaceLoads {
   std::vector<Balance::Entry> work_entries() const;             // J, by law
   std::vector<Balance::Entry> impulse_entries(int axis) const;  // N s, by law
   SurfaceView surface() const;
+  /// Loads whose region the surface has left.
+  std::vector<std::string> warnings() const;
   /// What the areas of tractions are scaled by, the farthest from 1.
   double area_ratio() const { return ratios_.farthest(); }
 
@@ -46,26 +49,35 @@ class SurfaceLoads {
     std::vector<Vec<Dim>> area_vector;  // m^(dim-1), outward
     std::vector<double> area;           // m^(dim-1), signed
     std::vector<Vec<Dim>> normal;
-    std::vector<Vec3> position;   // on the surface, m
-    std::vector<double> value;    // of the law there
-    std::vector<Vec<Dim>> force;  // N
+    std::vector<Vec3> position;    // on the surface, m
+    std::vector<double> value;     // of the law there
+    std::vector<Vec<Dim>> force;   // N
+    std::vector<Vec<Dim>> shares;  // of the velocity fields, by axis; where there are several
   };
 
+  void go_on(const PointStart& start);
   void compare_with_shapes(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem);
   void project_surface(const DynamicsData<Dim>& data);
   NodalAreas<Dim> free_areas(const Grid<Dim>& grid) const;
   void find_surface(const DynamicsData<Dim>& data);
+  double area_of(std::size_t law) const;
+  FieldAreas<Dim> areas_of_fields() const;
+  template <class Action>
+  void for_each_share(const DynamicsData<Dim>& data, const Nodes& nodes, std::size_t k,
+                      const Action& action) const;
 
   std::vector<DynamicsBoundary> laws_;
   std::vector<Nodes> nodes_;
-  std::vector<double> work_;   // J, by law
-  std::vector<Vec3> impulse_;  // N s, by law
+  std::vector<double> start_area_;  // m^(dim-1), by law
+  std::vector<double> work_;        // J, by law
+  std::vector<Vec3> impulse_;       // N s, by law
   WallContact<Dim> contact_;
   OutsideCells<Dim> outside_;
   Index version_;  // of the points that outside_ belongs to
   NodalSums<Dim> sums_;
-  std::vector<double> scratch_[Dim];
-  AreaRatios ratios_;  // of tractions
+  std::vector<double> scratch_[1 + Dim];  // fraction and area vector, by velocity field
+  AreaRatios ratios_;                     // of tractions
+  bool keeps_ratios_ = false;             // for a next stage
 };
 
 /// "pressure 2" or the name the user gave.

@@ -80,9 +80,9 @@ class BoundaryConditions {
   /// Throws std::invalid_argument when a law's region selects no surface.
   void require_all_used() const;
 
-  /// Rates and their tangents at the nodal temperatures (indexed by node) and one time, for
-  /// Newton's method.
-  void evaluate(std::span<const double> temperature, double time);
+  /// Rates and their tangents at the nodal temperatures (indexed by node), for Newton's method;
+  /// what varies in time as below.
+  void evaluate(std::span<const double> temperature, double begin, double end);
   /// Rates and slopes for one explicit step, tables by their means over it and functions at its
   /// middle. The slope of radiation is the secant to its ambient, sigma e (Ta^2 + T^2)(Ta + T): at
   /// a cold start the tangent 4 sigma e T^3 restores nothing, and the step would pass the ambient.

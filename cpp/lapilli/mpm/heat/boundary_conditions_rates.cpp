@@ -43,9 +43,10 @@ void BoundaryConditions<Dim>::fill_ambient(const Value& coefficient, const Value
 }
 
 template <int Dim>
-void BoundaryConditions<Dim>::evaluate(std::span<const double> temperature, double time) {
+void BoundaryConditions<Dim>::evaluate(std::span<const double> temperature, double begin,
+                                       double end) {
   secant_ = false;
-  evaluate_between(temperature, time, time);
+  evaluate_between(temperature, begin, end);
 }
 
 template <int Dim>
@@ -156,8 +157,8 @@ void BoundaryConditions<Dim>::require_absolute(std::size_t law,
   }
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                    \
-  template void BoundaryConditions<Dim>::evaluate(std::span<const double>, double); \
+#define LAPILLI_INSTANTIATE(Dim)                                                            \
+  template void BoundaryConditions<Dim>::evaluate(std::span<const double>, double, double); \
   template void BoundaryConditions<Dim>::evaluate_over(std::span<const double>, double, double);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <array>
 #include <utility>
 #include <vector>
@@ -107,8 +108,15 @@ class CellOperators {
   Conduction conduction;
 
  private:
+  /// R with R^T R the conductivity, which may be none along some direction.
   static Mat<Dim> square_root(const Mat<Dim>& conductivity) {
-    return Eigen::LLT<Mat<Dim>>(conductivity).matrixL().toDenseMatrix().transpose();
+    const Eigen::LLT<Mat<Dim>> factor(conductivity);
+    if (factor.info() == Eigen::Success) {
+      return factor.matrixU();
+    }
+    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> modes(conductivity);
+    return modes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+           modes.eigenvectors().transpose();
   }
 
   static std::vector<QuadraturePoint<Dim>> gauss_points(const Cube<Dim>& cube) {

@@ -39,12 +39,18 @@ template <int Dim>
 CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> shapes,
                       std::size_t body, const PairEntries& resisting, SurfaceFound& found) {
   using Division = SurfaceDivision<Dim>;
+  constexpr double along_axis = 1.0 - 1e-6;
+  std::vector<double> conductivity;
+  for (const HeatBody& one : problem.bodies) {
+    conductivity.push_back(largest_conductivity(one.material));
+  }
   CutBody<Dim> made;
   made.cells = cut_shape<Dim>(shapes[body], problem.grid, CubeLayout(problem.shape));
   const std::vector<const Shape*> regions = regions_of(problem.settings.boundaries);
   made.pieces.resize(regions.size());
   Division division(problem.grid, shapes, body, regions, problem.walls);
   for (const CellCut<Dim>& cell : made.cells) {
+    const Index at = problem.grid.node_index(cell.node);
     for (const SurfacePiece<Dim>& piece : cell.pieces) {
       division.divide(piece, [&](int law, const SurfacePiece<Dim>& part) {
         if (law >= 0) {
@@ -52,6 +58,14 @@ CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> sh
         } else if (law < Division::on_wall_label &&
                    resisting.of(body, Division::body_of(law)) >= 0) {
           made.resisting[Division::body_of(law)].push_back(part);
+        } else if (law < Division::on_wall_label) {
+          Mat<Dim>& sum = made.interface.try_emplace(at, Mat<Dim>::Zero()).first->second;
+          sum += part.area() * part.normal * part.normal.transpose();
+          const double better = conductivity[Division::body_of(law)] / conductivity[body];
+          if (better > 1.0) {
+            found.better = std::max(found.better, better);
+            found.slanted += part.normal.cwiseAbs().maxCoeff() < along_axis ? part.area() : 0.0;
+          }
         }
         found.area += law >= Division::nobody ? part.area() : 0.0;
       });

@@ -27,6 +27,8 @@ struct CutBody {
   std::vector<std::vector<SurfacePiece<Dim>>> pieces;               // by law
   std::vector<std::size_t> touching;                                // without resistance
   std::map<std::size_t, std::vector<SurfacePiece<Dim>>> resisting;  // by other body
+  /// Where it touches others without resistance, by node of the cell: integral of n n^T, m^(dim-1).
+  std::map<Index, Mat<Dim>> interface;
 };
 
 /// Cut body number `body` of the checked `shapes`; its free surface is entered in `found`.

@@ -68,6 +68,7 @@ CutCellHeat<Dim>::CutCellHeat(Points& points, HeatProblem<Dim> problem)
   }
   connect_surface(rates);
   bound_step(rates);
+  find_self_heating(0.0);
   if (is_adaptive()) {
     begin_adaptive_steps();
   }
@@ -103,6 +104,7 @@ StepLimit CutCellHeat<Dim>::step_limit() const {
   }
   if (!is_implicit()) {
     limit.automatic = laws_.step_since_jump(time_, limit.automatic);
+    self_heating_.bound(limit);
   }
   return limit;
 }
@@ -140,11 +142,12 @@ StepReport CutCellHeat<Dim>::advance(const Step& step) {
     finish_step(step);
     return report;
   }
+  if (!is_implicit()) {
+    take_explicit_step(step);
+    finish_step(step);
+    return report;
+  }
   for (Solved& one : solved_) {
-    if (!is_implicit()) {
-      take_explicit_step(one, step);
-      continue;
-    }
     const StepReport part = advance_implicitly(one, step);
     report.iterations = std::max(report.iterations, part.iterations);
     report.residual = std::max(report.residual, part.residual);
@@ -154,14 +157,18 @@ StepReport CutCellHeat<Dim>::advance(const Step& step) {
 }
 
 template <int Dim>
-void CutCellHeat<Dim>::take_explicit_step(Solved& one, const Step& step) {
-  conduct(one, step);
-  release_sources(one, step);
-  exchange_with_surroundings(one, step);
-  if (is_adaptive()) {
-    watch_curvature(one, step);
+void CutCellHeat<Dim>::take_explicit_step(const Step& step) {
+  self_heating_.forget();
+  for (Solved& one : solved_) {
+    conduct(one, step);
+    release_sources(one, step);
+    exchange_with_surroundings(one, step);
+    if (is_adaptive()) {
+      watch_curvature(one, step);
+    }
+    finish(one);
   }
-  finish(one);
+  self_heating_.require_followed(step.size);
 }
 
 template <int Dim>
@@ -197,34 +204,32 @@ void CutCellHeat<Dim>::release_sources(Solved& one, const Step& step) {
   if (one.part.sources.empty()) {
     return;
   }
-  const std::size_t size = one.increment.size();
-  std::vector<double> heat(size, 0.0), slope(size, 0.0);
-  source_heat(one.part, problem_.bodies, one.part.temperature, step.time, step.size, heat);
-  const bool depends =
-      std::any_of(one.part.sources.begin(), one.part.sources.end(),
-                  [&](const auto& own) { return problem_.bodies[own.body].source.is_function(); });
-  if (depends) {
-    // A source that falls with the temperature is taken at the end of the step.
-    double span = 1.0;
-    for (const double value : one.part.temperature) {
-      span = std::max(span, std::abs(value));
-    }
-    const double rise = 1e-6 * span;
-    std::vector<double> warmer(one.part.temperature);
-    for (double& value : warmer) {
-      value += rise;
-    }
-    source_heat(one.part, problem_.bodies, warmer, step.time, step.size, slope);
-    for (std::size_t place = 0; place < size; ++place) {
-      slope[place] = std::max(0.0, (heat[place] - slope[place]) / rise);
-    }
-  }
-  for (std::size_t place = 0; place < size; ++place) {
+  const SourceRates given = source_rates(one.part, problem_.bodies, one.part.temperature, step.time,
+                                         step.time + step.size);
+  for (std::size_t place = 0; place < one.increment.size(); ++place) {
     if (const double capacity = one.part.capacity[place]; capacity > 0.0) {
-      const double rise =
-          (heat[place] - slope[place] * one.increment[place]) / (capacity + slope[place]);
+      const double fall = given.fall.empty() ? 0.0 : given.fall[place];
+      const double rise = rise_by_source(one.increment[place], step.size * given.power[place],
+                                         step.size * fall, capacity);
+      self_heating_.meet(fall, capacity);
       one.increment[place] += rise;
       source_ += capacity * rise;
+    }
+  }
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::find_self_heating(double time) {
+  self_heating_.forget();
+  for (const Solved& one : solved_) {
+    if (!is_implicit() && !one.part.sources.empty()) {
+      const SourceRates given =
+          source_rates(one.part, problem_.bodies, one.part.temperature, time, time);
+      for (std::size_t place = 0; place < given.fall.size(); ++place) {
+        if (one.part.capacity[place] > 0.0) {
+          self_heating_.meet(given.fall[place], one.part.capacity[place]);
+        }
+      }
     }
   }
 }

@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "lapilli/core/self_heating.hpp"
+#include "lapilli/core/warnings.hpp"
 #include "lapilli/mpm/heat/adaptive_steps.hpp"
 #include "lapilli/mpm/heat/heat_part.hpp"
 #include "lapilli/mpm/heat/nodal_range.hpp"
@@ -19,7 +21,7 @@ namespace lapilli {
 /// Conduction is explicit (or theta), the surface implicit in either:
 ///   (C + dt M) dT = dt (-K T + E(T)),  E_I = integral of S_I rate(T) dA.
 template <int Dim>
-class CutCellHeat final : public Physics, public HasSurface {
+class CutCellHeat final : public Physics, public HasSurface, public Warnings {
  public:
   CutCellHeat(Points& points, HeatProblem<Dim> problem);
 
@@ -34,6 +36,7 @@ class CutCellHeat final : public Physics, public HasSurface {
   std::vector<Balance> balances() const override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
   SurfaceView surface() const override;
+  std::vector<std::string> warnings() const override;
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
 
@@ -70,13 +73,15 @@ class CutCellHeat final : public Physics, public HasSurface {
     return problem_.settings.time_integration == TimeIntegration::automatic;
   }
 
-  // The phases of an explicit step of one part.
-  void take_explicit_step(Solved& one, const Step& step);
+  void take_explicit_step(const Step& step);
+  // Its phases, part by part.
   void conduct(Solved& one, const Step& step);
   /// Weak laws at the start of the step, and what their middle changes; heat by law, J.
   void exchange_weakly(Solved& one, const Step& step, std::span<double> heat);
   void centre_weak_exchange(Solved& one, double step, std::span<double> heat);
   void release_sources(Solved& one, const Step& step);
+  /// How fast sources heat themselves now, for the size of the next explicit step.
+  void find_self_heating(double time);
   void exchange_with_surroundings(Solved& one, const Step& step);
   bool bears_explicitly(const Solved& one, double step) const;
   void finish(Solved& one) const;
@@ -134,7 +139,8 @@ class CutCellHeat final : public Physics, public HasSurface {
   std::vector<Solved> solved_;
   std::vector<std::size_t> part_of_;     // by body
   double initial_ = 0.0, source_ = 0.0;  // J
-  double time_ = 0.0;                    // s, of the temperatures
+  SelfHeating self_heating_;
+  double time_ = 0.0;  // s, of the temperatures
 
   AdaptiveSteps adaptive_;
   double lowest_ = 0.0, highest_ = 0.0;  // K, of all temperatures so far, for adaptive steps

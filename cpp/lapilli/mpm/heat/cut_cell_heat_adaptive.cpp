@@ -171,14 +171,17 @@ bool CutCellHeat<Dim>::try_all(double begin, double size, std::vector<Attempt>& 
 
 template <int Dim>
 void CutCellHeat<Dim>::cover_explicitly(const Step& step, double begin, double size) {
-  const double count = std::ceil(size / limit_.automatic);
-  for (double k = 0.0; k < count; ++k) {
-    for (Solved& one : solved_) {
-      take_explicit_step(one, {begin + k * size / count, size / count, 0, step.output_due});
-    }
+  find_self_heating(begin);
+  const double end = begin + size;
+  for (double done = 0.0; done < size;) {
+    StepLimit limit = limit_;
+    self_heating_.bound(limit);
+    const double left = size - done, count = std::ceil(left / limit.automatic);
+    take_explicit_step({begin + done, left / count, 0, step.output_due});
+    done = count > 1.0 ? done + left / count : size;
   }
   explicit_error_ = largest_error();
-  adaptive_.give_up(begin + size);
+  adaptive_.give_up(end);
   end_implicit_steps();
 }
 

@@ -4,6 +4,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
 #include "lapilli/mpm/heat/heat_balance.hpp"
+#include "lapilli/mpm/heat/slanted_interfaces.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
 #include "lapilli/mpm/surface/cut_shape.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
@@ -108,6 +109,11 @@ SurfaceView CutCellHeat<Dim>::surface() const {
 }
 
 template <int Dim>
+std::vector<std::string> CutCellHeat<Dim>::warnings() const {
+  return slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
+}
+
+template <int Dim>
 void CutCellHeat<Dim>::save(Archive& archive) const {
   for (std::size_t k = 0; k < solved_.size(); ++k) {
     archive.write(message("heat/temperature ", k), solved_[k].part.temperature);
@@ -123,6 +129,7 @@ void CutCellHeat<Dim>::save(Archive& archive) const {
   }
   archive.write("heat/initial", initial_);
   archive.write("heat/source", source_);
+  archive.write("heat/self_heating", self_heating_.rate());
   archive.write("heat/time", time_);
   laws_.account().save(archive, "heat/laws");
 }
@@ -143,6 +150,7 @@ void CutCellHeat<Dim>::load(const Archive& archive) {
   }
   initial_ = archive.read_number("heat/initial");
   source_ = archive.read_number("heat/source");
+  self_heating_.set_rate(archive.read_number("heat/self_heating"));
   time_ = archive.read_number("heat/time");
   laws_.account().load(archive, "heat/laws");
 }
@@ -153,6 +161,7 @@ void CutCellHeat<Dim>::load(const Archive& archive) {
   template std::vector<Field> CutCellHeat<Dim>::fields();                                     \
   template std::vector<Balance> CutCellHeat<Dim>::balances() const;                           \
   template std::vector<std::pair<std::string, double>> CutCellHeat<Dim>::diagnostics() const; \
+  template std::vector<std::string> CutCellHeat<Dim>::warnings() const;                       \
   template SurfaceView CutCellHeat<Dim>::surface() const;                                     \
   template void CutCellHeat<Dim>::save(Archive& archive) const;                               \
   template void CutCellHeat<Dim>::load(const Archive& archive);

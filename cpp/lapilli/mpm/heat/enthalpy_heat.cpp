@@ -64,6 +64,7 @@ EnthalpyHeat<Dim>::EnthalpyHeat(Points& points, HeatProblem<Dim> problem)
   through_contact_.assign(contacts_.size(), 0.0);
   bound_step();
   connect_surface();
+  find_self_heating();
   initial_ = balances().front().stored;
 }
 
@@ -87,16 +88,19 @@ template <int Dim>
 StepLimit EnthalpyHeat<Dim>::step_limit() const {
   StepLimit limit = limit_;
   limit.automatic = laws_.step_since_jump(time_, limit.automatic);
+  self_heating_.bound(limit);
   return limit;
 }
 
 template <int Dim>
 StepReport EnthalpyHeat<Dim>::advance(const Step& step) {
+  self_heating_.forget();
   for (Solved& one : solved_) {
     conduct(one, step.size);
-    release_sources(one, step);
     one.part.followers.restrict_to_leaders(one.heat);
+    release_sources(one, step);
   }
+  self_heating_.require_followed(step.size);
   exchange_with_surroundings(step);
   for (Solved& one : solved_) {
     store(one);
@@ -128,12 +132,42 @@ void EnthalpyHeat<Dim>::conduct(Solved& one, double size) const {
 
 template <int Dim>
 void EnthalpyHeat<Dim>::release_sources(Solved& one, const Step& step) {
-  if (!one.part.sources.empty()) {
-    std::vector<double> heat(one.heat.size(), 0.0);
-    source_ +=
-        source_heat(one.part, problem_.bodies, one.part.temperature, step.time, step.size, heat);
-    for (std::size_t place = 0; place < heat.size(); ++place) {
-      one.heat[place] += heat[place];
+  if (one.part.sources.empty()) {
+    return;
+  }
+  const SourceRates given = source_rates(one.part, problem_.bodies, one.part.temperature, step.time,
+                                         step.time + step.size);
+  for (std::size_t place = 0; place < one.heat.size(); ++place) {
+    if (!one.enthalpy.leads(static_cast<Index>(place))) {
+      continue;
+    }
+    double heat = step.size * given.power[place];
+    // What melts keeps its temperature, and the source its strength.
+    const double per_joule =
+        given.fall.empty() ? 0.0
+                           : one.enthalpy.at(static_cast<Index>(place), one.stored[place]).slope;
+    if (per_joule > 0.0) {
+      const double capacity = 1.0 / per_joule, fall = given.fall[place];
+      self_heating_.meet(fall, capacity);
+      heat =
+          capacity * rise_by_source(one.heat[place] * per_joule, heat, step.size * fall, capacity);
+    }
+    one.heat[place] += heat;
+    source_ += heat;
+  }
+}
+
+template <int Dim>
+void EnthalpyHeat<Dim>::find_self_heating() {
+  for (const Solved& one : solved_) {
+    const SourceRates given =
+        source_rates(one.part, problem_.bodies, one.part.temperature, 0.0, 0.0);
+    for (std::size_t place = 0; place < given.fall.size(); ++place) {
+      if (one.enthalpy.leads(static_cast<Index>(place))) {
+        const double per_joule =
+            one.enthalpy.at(static_cast<Index>(place), one.stored[place]).slope;
+        self_heating_.meet(given.fall[place] * per_joule, 1.0);
+      }
     }
   }
 }

@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "lapilli/core/self_heating.hpp"
+#include "lapilli/core/warnings.hpp"
 #include "lapilli/mpm/heat/heat_part.hpp"
 #include "lapilli/mpm/heat/nodal_enthalpy.hpp"
 #include "lapilli/mpm/heat/nodal_range.hpp"
@@ -17,7 +19,7 @@ namespace lapilli {
 /// surface is taken implicitly by Newton's method in H, all of it explicit in the conduction:
 ///   H + dt M (T(H) - T) = H0 + dt (-sum of K_b phi_b(T) + sources + E(T)).
 template <int Dim>
-class EnthalpyHeat final : public Physics, public HasSurface {
+class EnthalpyHeat final : public Physics, public HasSurface, public Warnings {
  public:
   EnthalpyHeat(Points& points, HeatProblem<Dim> problem);
 
@@ -32,6 +34,7 @@ class EnthalpyHeat final : public Physics, public HasSurface {
   std::vector<Balance> balances() const override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
   SurfaceView surface() const override;
+  std::vector<std::string> warnings() const override;
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
 
@@ -63,6 +66,7 @@ class EnthalpyHeat final : public Physics, public HasSurface {
   // The phases of a step.
   void conduct(Solved& one, double size) const;
   void release_sources(Solved& one, const Step& step);
+  void find_self_heating();
   void exchange_with_surroundings(const Step& step);
   void store(Solved& one) const;
 
@@ -95,7 +99,8 @@ class EnthalpyHeat final : public Physics, public HasSurface {
   TemperatureRange range_;  // that conduction and exchange can reach
   bool melts_ = false, has_sources_ = false;
   double initial_ = 0.0, source_ = 0.0;  // J
-  double time_ = 0.0;                    // s
+  SelfHeating self_heating_;
+  double time_ = 0.0;  // s
   std::unique_ptr<PointArray> output_temperature_, output_flux_, output_liquid_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/enthalpy_heat.hpp"
+#include "lapilli/mpm/heat/slanted_interfaces.hpp"
 #include "lapilli/mpm/surface/cut_shape.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
 
@@ -149,6 +150,11 @@ SurfaceView EnthalpyHeat<Dim>::surface() const {
 }
 
 template <int Dim>
+std::vector<std::string> EnthalpyHeat<Dim>::warnings() const {
+  return slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
+}
+
+template <int Dim>
 void EnthalpyHeat<Dim>::save(Archive& archive) const {
   for (std::size_t k = 0; k < solved_.size(); ++k) {
     archive.write(message("heat/temperature ", k), solved_[k].part.temperature);
@@ -158,6 +164,7 @@ void EnthalpyHeat<Dim>::save(Archive& archive) const {
   archive.write("heat/through_contact", through_contact_);
   archive.write("heat/initial", initial_);
   archive.write("heat/source", source_);
+  archive.write("heat/self_heating", self_heating_.rate());
   archive.write("heat/time", time_);
   laws_.account().save(archive, "heat/laws");
 }
@@ -173,6 +180,7 @@ void EnthalpyHeat<Dim>::load(const Archive& archive) {
   archive.read("heat/through_contact", std::span<double>(through_contact_));
   initial_ = archive.read_number("heat/initial");
   source_ = archive.read_number("heat/source");
+  self_heating_.set_rate(archive.read_number("heat/self_heating"));
   time_ = archive.read_number("heat/time");
   laws_.account().load(archive, "heat/laws");
 }
@@ -182,6 +190,7 @@ void EnthalpyHeat<Dim>::load(const Archive& archive) {
   template std::vector<Field> EnthalpyHeat<Dim>::fields();                                     \
   template std::vector<Balance> EnthalpyHeat<Dim>::balances() const;                           \
   template std::vector<std::pair<std::string, double>> EnthalpyHeat<Dim>::diagnostics() const; \
+  template std::vector<std::string> EnthalpyHeat<Dim>::warnings() const;                       \
   template SurfaceView EnthalpyHeat<Dim>::surface() const;                                     \
   template void EnthalpyHeat<Dim>::save(Archive& archive) const;                               \
   template void EnthalpyHeat<Dim>::load(const Archive& archive);

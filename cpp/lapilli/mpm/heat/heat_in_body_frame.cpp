@@ -126,6 +126,12 @@ SurfaceView HeatInBodyFrame<Dim>::surface() const {
 }
 
 template <int Dim>
+std::vector<std::string> HeatInBodyFrame<Dim>::warnings() const {
+  const auto* warner = dynamic_cast<const Warnings*>(at_rest_.get());
+  return warner != nullptr ? warner->warnings() : std::vector<std::string>{};
+}
+
+template <int Dim>
 void HeatInBodyFrame<Dim>::save(Archive& archive) const {
   at_rest_->save(archive);
   archive.write("heat/frame/start", std::as_const(*start_).values());

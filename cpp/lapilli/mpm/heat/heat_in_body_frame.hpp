@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "lapilli/core/warnings.hpp"
 #include "lapilli/geometry/rigid_motion.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/surface/surface_view.hpp"
@@ -12,7 +13,7 @@ namespace lapilli {
 /// they move, so the solver is that of bodies at rest, on a grid fixed to them. Only conditions do
 /// that depend on the place: these are asked where it has come to.
 template <int Dim>
-class HeatInBodyFrame final : public Physics, public HasSurface {
+class HeatInBodyFrame final : public Physics, public HasSurface, public Warnings {
  public:
   /// Whether a problem is of this kind: one rigid motion, no choice that asks for moving points,
   /// and regions in space, if any, that the motion maps onto themselves.
@@ -30,6 +31,7 @@ class HeatInBodyFrame final : public Physics, public HasSurface {
     return at_rest_->diagnostics();
   }
   SurfaceView surface() const override;
+  std::vector<std::string> warnings() const override;
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
 

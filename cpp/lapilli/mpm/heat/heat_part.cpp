@@ -167,7 +167,7 @@ class Assembly {
   }
 
   void connect_nodes() {
-    const SharedCells<Dim> shared(problem_, part_.bodies, volume_of_cut_);
+    const SharedCells<Dim> shared(problem_, part_.bodies, volume_of_cut_, cut_);
     std::vector<std::size_t> all(part_.bodies.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     part_.conduction = conduction_of(all, kind_of_node_, shared);

@@ -52,6 +52,8 @@ struct SurfaceFound {
   double area = 0.0;    // m^(dim-1), of all free surface of a body
   double volume = 0.0;  // m^dim
   Index followers = 0, nodes = 0;
+  double better = 1.0;   // times that a body it touches conducts better, at most
+  double slanted = 0.0;  // m^(dim-1), where it touches such bodies at an angle to the grid
 };
 
 /// Two bodies that touch with a resistance.

@@ -29,9 +29,10 @@ class HeatSource {
     }
   }
 
-  /// Call body(node, rate) for every node with a source; rate in W.
+  /// Call body(node, rate) for every node with a source; rate in W, tables by their means over a
+  /// span of time, functions at its middle.
   template <class Body>
-  void for_each(std::span<const double> temperature, double time, const Body& body) {
+  void for_each(std::span<const double> temperature, double begin, double end, const Body& body) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       Nodes& n = nodes_[b];
       n.value.resize(n.node.size());
@@ -39,7 +40,7 @@ class HeatSource {
       for (std::size_t k = 0; k < n.node.size(); ++k) {
         n.state[k] = temperature[n.node[k]];
       }
-      bodies_[b].source.evaluate(n.position, n.state, time, n.value);
+      bodies_[b].source.evaluate_mean(n.position, n.state, begin, end, n.value);
       for (std::size_t k = 0; k < n.node.size(); ++k) {
         body(n.node[k], n.value[k] * n.volume[k]);
       }

@@ -25,7 +25,8 @@ NodalHeat<Dim>::NodalHeat(Points& points, HeatProblem<Dim> problem)
       problem_(std::move(problem)),
       coefficients_(problem_.bodies, problem_.shape),
       transfer_(chosen_transfer(problem_.settings)),
-      laws_(problem_.settings.boundaries, absolute_zero(problem_.settings)) {
+      laws_(problem_.settings.boundaries, absolute_zero(problem_.settings)),
+      in_time_(problem_.settings.boundaries) {
   require(problem_.settings.time_integration != TimeIntegration::implicit_theta ||
               transfer_ == HeatTransfer::nodal,
           "heat.time_integration = \"implicit\" needs heat.transfer = \"nodal\", got \"",
@@ -33,6 +34,9 @@ NodalHeat<Dim>::NodalHeat(Points& points, HeatProblem<Dim> problem)
   CellOrder<Dim>(problem_.grid, support_of(problem_.shape)).update(points_);
   assemble();
   bound_step();
+  if (source_ && source_->depends_on_state()) {
+    find_self_heating(0.0);
+  }
 }
 
 template <int Dim>
@@ -133,6 +137,24 @@ void NodalHeat<Dim>::bound_step() {
 }
 
 template <int Dim>
+void NodalHeat<Dim>::find_self_heating(double time) {
+  for (const auto& n : source_->evaluate_over(temperature_, time, time)) {
+    for (std::size_t k = 0; k < n.node.size(); ++k) {
+      self_heating_.meet(n.slope[k], lumped_[n.node[k]]);
+    }
+  }
+}
+
+template <int Dim>
+StepLimit NodalHeat<Dim>::step_limit() const {
+  StepLimit limit = limit_;
+  if (!theta_) {
+    self_heating_.bound(limit);
+  }
+  return limit;
+}
+
+template <int Dim>
 StepReport NodalHeat<Dim>::advance(const Step& step) {
   StepReport report{step.size, 0, 0.0};
   if (theta_) {
@@ -162,18 +184,20 @@ void NodalHeat<Dim>::conduct(double step) {
 template <int Dim>
 void NodalHeat<Dim>::exchange_with_surroundings(const Step& step) {
   if (source_) {
+    self_heating_.forget();
     double heat = 0.0;
     for (const auto& n : source_->evaluate_over(temperature_, step.time, step.time + step.size)) {
       for (std::size_t k = 0; k < n.node.size(); ++k) {
         const Index place = n.node[k];
-        const double slope = std::max(n.slope[k], 0.0);
-        const double rise = step.size * (n.rate[k] - slope * increment_[place]) /
-                            (lumped_[place] + step.size * slope);
+        const double rise = rise_by_source(increment_[place], step.size * n.rate[k],
+                                           step.size * n.slope[k], lumped_[place]);
         increment_[place] += rise;
         heat += lumped_[place] * rise;
+        self_heating_.meet(n.slope[k], lumped_[place]);
       }
     }
     source_->book(heat);
+    self_heating_.require_followed(step.size);
   }
   laws_.evaluate_over(temperature_, step.time, step.time + step.size);
   for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {

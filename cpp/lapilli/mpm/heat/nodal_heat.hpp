@@ -4,10 +4,12 @@
 #include <optional>
 
 #include "lapilli/algebra/stencil_matrix.hpp"
+#include "lapilli/core/self_heating.hpp"
 #include "lapilli/mpm/heat/boundary_conditions.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/heat/heat_source.hpp"
 #include "lapilli/mpm/heat/heat_surface.hpp"
+#include "lapilli/mpm/heat/surface_conditions.hpp"
 #include "lapilli/mpm/heat/theta_solver.hpp"
 
 namespace lapilli {
@@ -25,7 +27,7 @@ class NodalHeat final : public Physics, public HasSurface {
   NodalHeat(Points& points, HeatProblem<Dim> problem);
 
   std::string name() const override { return "heat"; }
-  StepLimit step_limit() const override { return limit_; }
+  StepLimit step_limit() const override;
   StepReport advance(const Step& step) override;
   void refresh_output() override;
   std::vector<Field> fields() override;
@@ -38,6 +40,7 @@ class NodalHeat final : public Physics, public HasSurface {
  private:
   void assemble();
   void bound_step();
+  void find_self_heating(double time);
 
   // The phases of an explicit step.
   void conduct(double step);
@@ -57,7 +60,9 @@ class NodalHeat final : public Physics, public HasSurface {
   HeatCoefficients<Dim> coefficients_;
   HeatTransfer transfer_;
   BoundaryConditions<Dim> laws_;
+  SurfaceConditions in_time_;  // when tables jump
   std::optional<HeatSource<Dim>> source_;
+  SelfHeating self_heating_;
   StepLimit limit_;
   double initial_ = 0.0;         // J
   double negative_share_ = 0.0;  // of the surface

@@ -84,6 +84,7 @@ void NodalHeat<Dim>::save(Archive& archive) const {
   archive.write("heat/total", total_);
   archive.write("heat/initial", initial_);
   archive.write("heat/source", source_ ? source_->booked() : 0.0);
+  archive.write("heat/self_heating", self_heating_.rate());
   if (start_) {
     archive.write("heat/start", start_->values());
   }
@@ -99,6 +100,7 @@ void NodalHeat<Dim>::load(const Archive& archive) {
   if (source_) {
     source_->set_booked(archive.read_number("heat/source"));
   }
+  self_heating_.set_rate(archive.read_number("heat/self_heating"));
   if (start_) {
     archive.read("heat/start", start_->values());
   }

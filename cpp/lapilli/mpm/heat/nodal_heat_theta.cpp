@@ -31,12 +31,15 @@ void NodalHeat<Dim>::book_laws(std::vector<double>& given, const LawRates& heat)
 
 template <int Dim>
 StepReport NodalHeat<Dim>::advance_implicitly(const Step& step) {
-  // The first two steps are taken as backward Euler halves, which share the matrix of a
-  // Crank-Nicolson step and damp what the start excites (Rannacher 1984).
+  // The two steps after the start and after every jump of a table are taken as backward Euler
+  // halves, which share the matrix of a Crank-Nicolson step and damp what it excites (Rannacher
+  // 1984).
   const double theta = problem_.settings.theta;
-  const bool starting = step.index < 2 && theta < 1.0;
-  const int parts = starting ? 2 : 1;
-  const double size = step.size / parts, weight = starting ? 1.0 : theta;
+  const bool damped =
+      theta < 1.0 &&
+      (step.index < 2 || in_time_.jumps_within(step.time - step.size, step.time + step.size));
+  const int parts = damped ? 2 : 1;
+  const double size = step.size / parts, weight = damped ? 1.0 : theta;
   const bool linear = laws_.is_linear() && !(source_ && source_->depends_on_state());
   const int iterations_allowed = linear ? 1 : 30;
   StepReport report{step.size, 0, 0.0};
@@ -44,21 +47,21 @@ StepReport NodalHeat<Dim>::advance_implicitly(const Step& step) {
   std::vector<double> trial(temperature_.size()), middle(temperature_.size());
   std::vector<double> sources(temperature_.size());
   for (int part = 0; part < parts; ++part) {
-    const double begin = step.time + part * size;
+    const double begin = step.time + part * size, end = begin + size;
     // What the start of the step contributes, sources apart.
     std::fill(known.begin(), known.end(), 0.0);
     std::fill(sources.begin(), sources.end(), 0.0);
-    const auto add_laws = [&](double time, double factor, std::span<double> to) {
-      laws_.evaluate(trial, time);
+    const auto add_laws = [&](double factor, std::span<double> to) {
+      laws_.evaluate(trial, begin, end);
       for (const auto& n : laws_.nodes()) {
         for (std::size_t k = 0; k < n.node.size(); ++k) {
           to[n.node[k]] += factor * n.rate[k];
         }
       }
     };
-    const auto add_sources = [&](double time, double factor, std::span<double> to) {
+    const auto add_sources = [&](double factor, std::span<double> to) {
       if (source_) {
-        source_->for_each(trial, time,
+        source_->for_each(trial, begin, end,
                           [&](Index place, double rate) { to[place] += factor * rate; });
       }
     };
@@ -87,19 +90,19 @@ StepReport NodalHeat<Dim>::advance_implicitly(const Step& step) {
     };
     trial = temperature_;
     if (weight < 1.0) {
-      add_laws(begin, (1.0 - weight) * size, known);
+      add_laws((1.0 - weight) * size, known);
       add_rates((1.0 - weight) * size);
-      add_sources(begin, (1.0 - weight) * size, sources);
+      add_sources((1.0 - weight) * size, sources);
     }
     double scale = 0.0, change = 0.0;
     for (int iteration = 0; iteration < iterations_allowed; ++iteration) {
       // residual = dt (-K (T + theta d) + (1 - theta) rate(T) + theta rate(T + d)) - C d
       residual = known;
-      add_laws(begin + size, weight * size, residual);
+      add_laws(weight * size, residual);
       for (std::size_t place = 0; place < trial.size(); ++place) {
         residual[place] += sources[place];
       }
-      add_sources(begin + size, weight * size, residual);
+      add_sources(weight * size, residual);
       balance([&](Index place, double heat) { residual[place] -= heat; });
       theta_->prepare(weight * size, laws_);
       theta_->solve(residual, increment_);
@@ -122,12 +125,12 @@ StepReport NodalHeat<Dim>::advance_implicitly(const Step& step) {
                              " iterations, change ", change, " K; take smaller steps"));
     }
     report.residual = std::max(report.residual, scale > 0.0 ? change / scale : 0.0);
-    add_sources(begin + size, weight * size, sources);
+    add_sources(weight * size, sources);
     // A law gave its nodes what they took up beyond conduction and sources: exact where a stiff law
     // leaves a small difference of large rates. Where laws share a node, each gave by its rate and
     // the last one the rest.
     balance([&](Index place, double heat) { residual[place] = heat - sources[place]; });
-    laws_.evaluate(trial, begin + size);
+    laws_.evaluate(trial, begin, end);
     add_rates(weight * size);
     book_laws(residual, of_laws);
     if (source_) {

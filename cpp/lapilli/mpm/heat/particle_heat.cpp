@@ -41,18 +41,11 @@ ParticleHeat<Dim>::ParticleHeat(Points& points, HeatProblem<Dim> problem)
       problem_.settings.time_integration != TimeIntegration::implicit_theta,
       "heat.time_integration = \"implicit\" needs points at rest and heat.transfer = \"nodal\"");
   order_.update(points_);
-  const std::vector<double> capacity = point_capacities(points_, problem_.bodies);
-  const std::vector<double> start = initial_temperatures(points_, problem_.bodies);
-  require_absolute(problem_, points_, start);
-  range_ = diverged_beyond(problem_, start);
-  std::copy(capacity.begin(), capacity.end(), capacity_.data());
-  std::copy(start.begin(), start.end(), temperature_.data());
   if (affine_) {
     gradient_ = std::make_unique<PointArray>(points_, Dim, 0.0, PointArray::Kind::gradient);
-    std::vector<double> gradient;
-    map_initial(points_, problem_, coefficients_, capacity, start, &gradient);
-    std::copy(gradient.begin(), gradient.end(), gradient_->data());
   }
+  start_with(point_capacities(points_, problem_.bodies),
+             initial_temperatures(points_, problem_.bodies));
   if (!laws_.empty()) {
     surface_ = std::make_unique<HeatSurface<Dim>>(points_, problem_);
     compare_with_shapes();
@@ -67,12 +60,7 @@ ParticleHeat<Dim>::ParticleHeat(Points& points, HeatProblem<Dim> problem)
   if (HeatSource<Dim>::is_present(problem_.bodies)) {
     source_.emplace(problem_.bodies);
   }
-  if (transfer_ == HeatTransfer::flip) {
-    const NodalOperators<Dim> operators =
-        assemble_operators(points_, problem_, coefficients_, capacity, true);
-    carried_limit_ =
-        2.0 / fastest_carried_rate(*operators.conduction, *operators.capacity, operators.lumped);
-  }
+  bound_carried_step();
   bound_step();
   project_to_grid();
   if (!laws_.empty()) {
@@ -80,9 +68,34 @@ ParticleHeat<Dim>::ParticleHeat(Points& points, HeatProblem<Dim> problem)
     laws_.require_all_used();
   }
   if (source_ && source_->depends_on_state()) {
-    find_growth(0.0);
+    find_self_heating(0.0);
   }
   initial_ = balances().front().stored;
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::start_with(const std::vector<double>& capacity,
+                                   const std::vector<double>& temperature) {
+  require_absolute(problem_, points_, temperature);
+  range_ = diverged_beyond(problem_, temperature);
+  std::copy(capacity.begin(), capacity.end(), capacity_.data());
+  std::copy(temperature.begin(), temperature.end(), temperature_.data());
+  if (affine_) {
+    std::vector<double> gradient;
+    map_initial(points_, problem_, coefficients_, capacity, temperature, &gradient);
+    std::copy(gradient.begin(), gradient.end(), gradient_->data());
+  }
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::bound_carried_step() {
+  if (transfer_ == HeatTransfer::flip) {
+    const std::vector<double> capacity(capacity_.values().begin(), capacity_.values().end());
+    const NodalOperators<Dim> operators =
+        assemble_operators(points_, problem_, coefficients_, capacity, true);
+    carried_limit_ =
+        2.0 / fastest_carried_rate(*operators.conduction, *operators.capacity, operators.lumped);
+  }
 }
 
 template <int Dim>

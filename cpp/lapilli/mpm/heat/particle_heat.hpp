@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "lapilli/core/says_model.hpp"
+#include "lapilli/core/self_heating.hpp"
+#include "lapilli/core/stores_in_points.hpp"
 #include "lapilli/mpm/heat/boundary_conditions.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/heat/heat_source.hpp"
@@ -14,6 +16,7 @@
 #include "lapilli/mpm/heat/sub_cycle.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
 #include "lapilli/mpm/transfer/cell_order.hpp"
+#include "lapilli/mpm/transfer/point_start.hpp"
 
 namespace lapilli {
 
@@ -25,7 +28,10 @@ namespace lapilli {
 /// FLIP and PIC have no gradient G and beta 0 and 1; TPIC has beta 1; `affine` has
 /// beta = 1 - exp(-c dt alpha/h^2), so that its smoothing does not depend on the step.
 template <int Dim>
-class ParticleHeat final : public Physics, public HasSurface, public SaysModel {
+class ParticleHeat final : public Physics,
+                           public HasSurface,
+                           public SaysModel,
+                           public StoresInPoints {
  public:
   ParticleHeat(Points& points, HeatProblem<Dim> problem);
 
@@ -35,6 +41,7 @@ class ParticleHeat final : public Physics, public HasSurface, public SaysModel {
   void refresh_output() override;
   std::vector<Field> fields() override;
   std::vector<Balance> balances() const override;
+  std::vector<double> stored_in(std::span<const Index> rows) const override;
   void release(std::span<const Index> rows) override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
   std::vector<std::string> modelled() const override;
@@ -46,6 +53,10 @@ class ParticleHeat final : public Physics, public HasSurface, public SaysModel {
   PointArray& carried_temperature() { return temperature_; }
   PointArray* carried_gradient() { return gradient_.get(); }  // K/m; null for flip and pic
   const PointArray& capacity() const { return capacity_; }    // rho0 c V0, J/K
+  /// Let points go on with the heat that they had in another run or stage: the temperature that
+  /// they carried, where the state knows heat, and the capacity of their mass, which stays while
+  /// their volume changes. Before the first step.
+  void go_on(const PointStart& start);
   /// Let heat take steps of its own, whatever those of the clock, where the settings allow it.
   void follow(SubCycle::Motion motion);
   /// Null where heat takes the steps of the clock.
@@ -60,6 +71,8 @@ class ParticleHeat final : public Physics, public HasSurface, public SaysModel {
   }
 
  private:
+  void start_with(const std::vector<double>& capacity, const std::vector<double>& temperature);
+  void bound_carried_step();
   void bound_step();
   StepLimit own_limit() const;
   void take_due(const SubCycle::Due& due);
@@ -77,7 +90,7 @@ class ParticleHeat final : public Physics, public HasSurface, public SaysModel {
 
   void exchange_at_points(const Step& step);
   void heat_by_sources(const Step& step);
-  void find_growth(double time);
+  void find_self_heating(double time);
   double blend(double step) const;
   void show(const std::vector<double>& nodal);
   std::vector<double> supplied() const;
@@ -110,7 +123,7 @@ class ParticleHeat final : public Physics, public HasSurface, public SaysModel {
   StepLimit limit_;
   double carried_limit_ = std::numeric_limits<double>::infinity();  // s, of FLIP at the start
   TemperatureRange range_;
-  double growth_ = 0.0;          // 1/s, of sources that heat themselves
+  SelfHeating self_heating_;
   Index limited_ordering_ = -1;  // ordering that limit_ was bounded for
   double initial_ = 0.0;         // J
   double plastic_ = 0.0;         // J, from plastic work

@@ -41,13 +41,14 @@ void ParticleHeat<Dim>::exchange_at_points(const Step& step) {
 }
 
 template <int Dim>
-void ParticleHeat<Dim>::find_growth(double time) {
+void ParticleHeat<Dim>::find_self_heating(double time) {
   source_->assign(points_, problem_, coefficients_.half_width);
-  growth_ = 0.0;
+  self_heating_.forget();
   for (const auto& n : source_->evaluate_over(grid_.temperature, time, time)) {
     for (std::size_t k = 0; k < n.node.size(); ++k) {
-      const double capacity = grid_.capacity[n.node[k]];
-      growth_ = std::max(growth_, capacity > 0.0 ? -n.slope[k] / capacity : 0.0);
+      if (const double capacity = grid_.capacity[n.node[k]]; capacity > 0.0) {
+        self_heating_.meet(n.slope[k], capacity);
+      }
     }
   }
 }
@@ -59,7 +60,7 @@ void ParticleHeat<Dim>::heat_by_sources(const Step& step) {
   }
   source_->assign(points_, problem_, coefficients_.half_width);
   double heat = 0.0;
-  growth_ = 0.0;
+  self_heating_.forget();
   for (const auto& n :
        source_->evaluate_over(grid_.temperature, step.time, step.time + step.size)) {
     for (std::size_t k = 0; k < n.node.size(); ++k) {
@@ -67,23 +68,16 @@ void ParticleHeat<Dim>::heat_by_sources(const Step& step) {
       if (!(capacity > 0.0)) {
         continue;
       }
-      // As the laws of the surface, at the end of the step where the source restores.
-      const double slope = std::max(n.slope[k], 0.0);
       double& increment = grid_.increment[n.node[k]];
       const double rise =
-          step.size * (n.rate[k] - slope * increment) / (capacity + step.size * slope);
+          rise_by_source(increment, step.size * n.rate[k], step.size * n.slope[k], capacity);
       increment += rise;
       heat += capacity * rise;
-      growth_ = std::max(growth_, -n.slope[k] / capacity);
+      self_heating_.meet(n.slope[k], capacity);
     }
   }
   source_->book(heat);
-  if (growth_ * step.size > 1.0) {
-    throw RunError(
-        message("heat: a source rises with the temperature so fast that it heats itself "
-                "e-fold in ",
-                1.0 / growth_, " s, less than the step of ", step.size, " s; take smaller steps"));
-  }
+  self_heating_.require_followed(step.size);
 }
 
 template <int Dim>
@@ -156,7 +150,7 @@ void ParticleHeat<Dim>::relax_points() {
 
 #define LAPILLI_INSTANTIATE(Dim)                                            \
   template void ParticleHeat<Dim>::exchange_with_surroundings(const Step&); \
-  template void ParticleHeat<Dim>::find_growth(double);                     \
+  template void ParticleHeat<Dim>::find_self_heating(double);               \
   template void ParticleHeat<Dim>::solve_nodes(const Step&);                \
   template void ParticleHeat<Dim>::relax_points();
 LAPILLI_INSTANTIATE(1)

@@ -107,6 +107,17 @@ std::vector<Balance> ParticleHeat<Dim>::balances() const {
 }
 
 template <int Dim>
+std::vector<double> ParticleHeat<Dim>::stored_in(std::span<const Index> rows) const {
+  const bool ahead = sub_cycle_ && sub_cycle_->ahead() > 0.0;
+  const std::vector<double> pending = ahead ? temperature_now() : std::vector<double>();
+  double heat = 0.0;
+  for (const Index row : rows) {
+    heat += capacity_[row] * (ahead ? pending[row] : temperature_[row]);
+  }
+  return {heat};
+}
+
+template <int Dim>
 void ParticleHeat<Dim>::release(std::span<const Index> rows) {
   for (const Index row : rows) {
     removed_ += capacity_[row] * temperature_[row];
@@ -141,7 +152,7 @@ void ParticleHeat<Dim>::save(Archive& archive) const {
     sub_cycle_->save(archive);
   }
   archive.write("heat/initial", initial_);
-  archive.write("heat/growth", growth_);
+  archive.write("heat/self_heating", self_heating_.rate());
   archive.write("heat/plastic", plastic_);
   if (books_removed_) {
     archive.write("heat/removed", removed_);
@@ -177,7 +188,7 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
   if (books_removed_) {
     removed_ = archive.read_number("heat/removed");
   }
-  growth_ = archive.read_number("heat/growth");
+  self_heating_.set_rate(archive.read_number("heat/self_heating"));
   range_ = plastic_ != 0.0 ? TemperatureRange{} : range_;
   if (source_) {
     source_->set_booked(archive.read_number("heat/source"));
@@ -204,6 +215,7 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
   template std::vector<Balance> ParticleHeat<Dim>::balances() const;                           \
   template void ParticleHeat<Dim>::release(std::span<const Index>);                            \
   template std::vector<std::pair<std::string, double>> ParticleHeat<Dim>::diagnostics() const; \
+  template std::vector<double> ParticleHeat<Dim>::stored_in(std::span<const Index>) const;     \
   template void ParticleHeat<Dim>::save(Archive& archive) const;                               \
   template void ParticleHeat<Dim>::load(const Archive& archive);
 LAPILLI_INSTANTIATE(1)

@@ -54,10 +54,7 @@ StepLimit ParticleHeat<Dim>::step_limit() const {
 template <int Dim>
 StepLimit ParticleHeat<Dim>::own_limit() const {
   StepLimit limit = limit_;
-  if (growth_ > 0.0 && 0.2 / growth_ < limit.automatic) {
-    limit.automatic = 0.2 / growth_;
-    limit.reason = "a source that heats itself";
-  }
+  self_heating_.bound(limit);
   return limit;
 }
 
@@ -117,8 +114,14 @@ std::vector<double> ParticleHeat<Dim>::temperature_now() const {
 
 template <int Dim>
 std::vector<std::string> ParticleHeat<Dim>::modelled() const {
-  return sub_cycle_ ? std::vector<std::string>{sub_cycle_->described()}
-                    : std::vector<std::string>{};
+  std::vector<std::string> all;
+  if (sub_cycle_) {
+    all.push_back(sub_cycle_->described());
+  }
+  if (problem_.bodies.size() > 1) {
+    all.emplace_back("heat between bodies less than 1.5 cells apart, as if they touched");
+  }
+  return all;
 }
 
 #define LAPILLI_INSTANTIATE(Dim)                                           \

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "lapilli/mpm/heat/heat_problem.hpp"
+#include "lapilli/mpm/heat/cut_bodies.hpp"
 
 namespace lapilli {
 
@@ -13,9 +13,11 @@ namespace lapilli {
 template <int Dim>
 class SharedCells {
  public:
-  /// `volumes`: by body of the part, the volume that it has of cells (m^dim) by node.
+  /// `volumes`: by body of the part, the volume that it has of cells (m^dim) by node; `cut`: by
+  /// body of the problem.
   SharedCells(const HeatProblem<Dim>& problem, const std::vector<std::size_t>& bodies,
-              const std::vector<std::map<Index, double>>& volumes);
+              const std::vector<std::map<Index, double>>& volumes,
+              const std::vector<CutBody<Dim>>& cut);
 
   /// Whether a cell holds bodies of more than one conductivity.
   bool is_shared(Index node) const { return parts_.count(node) != 0; }
@@ -31,10 +33,13 @@ class SharedCells {
   };
 
   Mat<Dim> own(std::size_t which) const;
+  /// Across the interfaces in a cell.
+  Vec<Dim> normal(std::size_t which, Index node, const Vec<Dim>& center) const;
 
   const HeatProblem<Dim>& problem_;
   const std::vector<std::size_t>& bodies_;
   std::map<Index, std::vector<Part>> parts_;
+  std::map<Index, Mat<Dim>> interface_;  // as of CutBody, of all bodies
 };
 
 }  // namespace lapilli

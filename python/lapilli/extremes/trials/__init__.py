@@ -6,7 +6,7 @@ from lapilli.extremes.trials.contact import contact_trials
 from lapilli.extremes.trials.fluid import fluid_trials
 from lapilli.extremes.trials.heat import heat_trials
 from lapilli.extremes.trials.soil import soil_trials
-from lapilli.extremes.trials.statics import static_trials
+from lapilli.extremes.trials.static import static_trials
 from lapilli.extremes.trials.trial import Mark, Trial, Verdict
 from lapilli.extremes.trials.vibration import vibration_trials
 

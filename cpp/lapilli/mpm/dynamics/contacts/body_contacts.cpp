@@ -172,9 +172,7 @@ template <int Dim>
 std::vector<std::pair<std::string, double>> BodyContacts<Dim>::diagnostics() const {
   constexpr const char* axes[] = {"x", "y", "z"};
   std::vector<std::pair<std::string, double>> all{
-      {"contact friction", -friction_},
-      {"contact impact", -impact_},
-      {"contact nodes", touching_}};
+      {"contact friction", -friction_}, {"contact impact", -impact_}, {"contact nodes", touching_}};
   for (std::size_t pair = 0; pair < groups_.pairs.size(); ++pair) {
     for (int axis = 0; axis < Dim; ++axis) {
       all.emplace_back(message(groups_.laws[pair].name, " force ", axes[axis]), force_[pair][axis]);

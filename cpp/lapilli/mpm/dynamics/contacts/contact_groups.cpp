@@ -7,6 +7,7 @@
 #include "lapilli/core/pair_entries.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/project_to_grid.hpp"
+#include "lapilli/mpm/transfer/point_start.hpp"
 
 namespace lapilli {
 namespace {
@@ -73,16 +74,34 @@ double slowest_wave(const DynamicsData<Dim>& data) {
   return slowest;
 }
 
+/// What the state before says of two bodies: whether they were one; nothing where one is new.
+std::optional<bool> were_one(const PointStart* before, int a, int b) {
+  if (before == nullptr || before->body[a] < 0 || before->body[b] < 0) {
+    return {};
+  }
+  if (!before->state->contains("dynamics/fields/of_body")) {
+    return true;
+  }
+  const std::vector<Index> fields = before->state->read_indices("dynamics/fields/of_body");
+  return fields.at(before->body[a]) == fields.at(before->body[b]);
+}
+
 /// Join the bodies that start as one, of those pairs that no entry is about.
 template <int Dim>
 void join_by_start(DynamicsData<Dim>& data, const std::vector<DynamicsBody>& bodies,
-                   const PairEntries& entries, std::vector<int>& group) {
+                   const PairEntries& entries, const PointStart* before, std::vector<int>& group) {
   std::vector<std::pair<int, int>> open;
   const int count = static_cast<int>(bodies.size());
   for (int a = 0; a < count; ++a) {
     for (int b = a + 1; b < count; ++b) {
-      if (entries.of(a, b) < 0) {
+      if (entries.of(a, b) >= 0) {
+        continue;
+      }
+      const std::optional<bool> known = were_one(before, a, b);
+      if (!known) {
         open.emplace_back(a, b);
+      } else if (*known) {
+        join(group, a, b);
       }
     }
   }
@@ -135,7 +154,8 @@ ContactLaw law_between(const std::vector<BodyContact>& contacts, const PairEntri
 }  // namespace
 
 template <int Dim>
-ContactGroups contact_groups(DynamicsData<Dim>& data, const std::vector<DynamicsBody>& bodies) {
+ContactGroups contact_groups(DynamicsData<Dim>& data, const std::vector<DynamicsBody>& bodies,
+                             const PointStart* before) {
   const std::vector<BodyContact>& contacts = data.settings.contacts;
   const std::vector<std::string> names = names_of(bodies);
   std::vector<std::vector<std::string>> named;
@@ -154,7 +174,7 @@ ContactGroups contact_groups(DynamicsData<Dim>& data, const std::vector<Dynamics
       }
     }
   }
-  join_by_start(data, bodies, entries, group);
+  join_by_start(data, bodies, entries, before, group);
 
   ContactGroups result;
   std::vector<std::string> title;
@@ -207,7 +227,9 @@ std::vector<std::string> described(const ContactGroups& groups) {
   return words;
 }
 
-template ContactGroups contact_groups(DynamicsData<2>&, const std::vector<DynamicsBody>&);
-template ContactGroups contact_groups(DynamicsData<3>&, const std::vector<DynamicsBody>&);
+template ContactGroups contact_groups(DynamicsData<2>&, const std::vector<DynamicsBody>&,
+                                      const PointStart*);
+template ContactGroups contact_groups(DynamicsData<3>&, const std::vector<DynamicsBody>&,
+                                      const PointStart*);
 
 }  // namespace lapilli

@@ -28,9 +28,11 @@ struct ContactGroups {
 std::vector<std::string> described(const ContactGroups& groups);
 
 /// Decide by the settings, and where these say nothing by the start: bodies that lie together along
-/// a common face, at the same velocity, are one; others are in contact. Uses nodes and fields of
-/// `data`. Throws std::invalid_argument for entries that name unknown bodies or contradict.
+/// a common face, at the same velocity, are one; others are in contact. Two bodies that both go on
+/// from `before` (null: none does) are one if they were. Uses nodes and fields of `data`. Throws
+/// std::invalid_argument for entries that name unknown bodies or contradict.
 template <int Dim>
-ContactGroups contact_groups(DynamicsData<Dim>& data, const std::vector<DynamicsBody>& bodies);
+ContactGroups contact_groups(DynamicsData<Dim>& data, const std::vector<DynamicsBody>& bodies,
+                             const PointStart* before = nullptr);
 
 }  // namespace lapilli

@@ -87,8 +87,7 @@ Vec<Dim> improve(Contact<Dim>& contact, double friction, double* const (&velocit
   contact.push = std::max(0.0, contact.push + contact.mass * (contact.bound - normal));
   contact.drag -= contact.mass * (relative - normal * contact.normal);
   contact.drag -= contact.drag.dot(contact.normal) * contact.normal;
-  const double felt = contact.felt();
-  const double limit = felt > 0.0 ? friction * felt + contact.grip : 0.0;
+  const double limit = contact.drag_limit(friction);
   const double drag = contact.drag.norm();
   if (drag > limit) {
     contact.drag *= limit / drag;
@@ -118,6 +117,27 @@ void solve_contacts(std::vector<Contact<Dim>>& contacts, double friction, const 
   }
 }
 
+template <int Dim>
+void match_contacts(const std::vector<Contact<Dim>>& contacts, const double* mass,
+                    double* const (&velocity)[Dim]) {
+  std::vector<Vec<Dim>> change(contacts.size());
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    parallel_for(static_cast<Index>(contacts.size()), [&](Index k) {
+      const Contact<Dim>& contact = contacts[k];
+      change[k] = Vec<Dim>::Zero();
+      if (contact.push > 0.0) {
+        const double across = (contact.solved - contact.at_foot(velocity)).dot(contact.normal);
+        change[k] = contact.mass * across * contact.normal;
+      }
+    });
+    add_to_nodes(contacts, mass, velocity, [&](std::size_t k) { return change[k]; });
+  }
+}
+
+template void match_contacts<2>(const std::vector<Contact<2>>&, const double*,
+                                double* const (&)[2]);
+template void match_contacts<3>(const std::vector<Contact<3>>&, const double*,
+                                double* const (&)[3]);
 template void solve_contacts<2>(std::vector<Contact<2>>&, double, const double*,
                                 double* const (&)[2], RigidMotion&, std::vector<double>&);
 template void solve_contacts<3>(std::vector<Contact<3>>&, double, const double*,

@@ -27,10 +27,16 @@ struct Contact {
   Vec<Dim> drag = Vec<Dim>::Zero();      // N s along the surface
   Vec<Dim> start = Vec<Dim>::Zero();     // m/s at the foot, before the step
   Vec<Dim> approach = Vec<Dim>::Zero();  // m/s, after the forces and before any impulse
+  Vec<Dim> solved = Vec<Dim>::Zero();    // m/s, after all impulses
 
   Vec<Dim> impulse() const { return push * normal + drag; }
   /// N s, the push that bounds friction.
   double felt() const { return past < 0.0 ? push : past + share * (push - past); }
+  /// N s, that it bears along the surface.
+  double drag_limit(double friction) const {
+    const double bears = felt();
+    return bears > 0.0 ? friction * bears + grip : 0.0;
+  }
 
   /// A nodal quantity at the foot.
   Vec<Dim> at_foot(double* const (&nodal)[Dim]) const {
@@ -53,5 +59,12 @@ template <int Dim>
 void solve_contacts(std::vector<Contact<Dim>>& contacts, double friction, const double* mass,
                     double* const (&velocity)[Dim], RigidMotion& motion,
                     std::vector<double>& crowd);
+
+/// Give a velocity that was projected again (MUSL) what the contacts that push left across the
+/// surface at their feet; along it too, blocks that friction holds would gain energy. Books
+/// nothing.
+template <int Dim>
+void match_contacts(const std::vector<Contact<Dim>>& contacts, const double* mass,
+                    double* const (&velocity)[Dim]);
 
 }  // namespace lapilli

@@ -6,6 +6,8 @@
 
 #include "lapilli/core/in_space.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/dynamics/obstacles/light_nodes.hpp"
+#include "lapilli/mpm/transfer/point_start.hpp"
 
 namespace lapilli {
 namespace {
@@ -39,10 +41,11 @@ double farthest(const Grid<Dim>& grid, const Shape& shape, const Vec3& center) {
 
 template <int Dim>
 ObstacleContacts<Dim>::ObstacleContacts(const DynamicsData<Dim>& data, const Obstacle& obstacle,
-                                        std::string name, std::vector<double> radii)
+                                        std::string name, const PointSkins& skins,
+                                        const PointStart* before, int earlier)
     : obstacle_(obstacle),
       name_(std::move(name)),
-      radii_(std::move(radii)),
+      skins_(skins),
       motion_(obstacle, Dim, "dynamics.obstacles: " + name_),
       reach_(farthest(data.grid, obstacle.shape, motion_.center())),
       friction_(obstacle.contact == ObstacleContact::no_slip
@@ -53,6 +56,16 @@ ObstacleContacts<Dim>::ObstacleContacts(const DynamicsData<Dim>& data, const Obs
     const double wave = std::sqrt(material.wave_modulus / material.density);
     lags_.push_back(lag_cells * data.grid.cell_size() / wave);
   }
+  if (before != nullptr && earlier >= 0) {
+    motion_.load(*before->state, message("dynamics/obstacles/", earlier));
+  } else {
+    motion_.set_span(before != nullptr ? before->time : 0.0, 0.0);
+    require_nothing_inside(data);
+  }
+}
+
+template <int Dim>
+void ObstacleContacts<Dim>::require_nothing_inside(const DynamicsData<Dim>& data) const {
   Index deepest = -1;
   double depth = 1e-6 * data.grid.cell_size();
   for (Index row = 0; row < data.points.size(); ++row) {
@@ -67,10 +80,10 @@ ObstacleContacts<Dim>::ObstacleContacts(const DynamicsData<Dim>& data, const Obs
           deepest < 0 ? 0 : data.points.id()[deepest], " lies ", depth, " m deep in it");
 }
 
-/// Weights of linear functions at the foot on the nodes that carry mass; false where there are
-/// none.
+/// Weights of linear functions at a place on the nodes that carry mass, less on light ones; false
+/// where there are none.
 template <int Dim>
-bool ObstacleContacts<Dim>::place_on_nodes(const DynamicsData<Dim>& data,
+bool ObstacleContacts<Dim>::place_on_nodes(const DynamicsData<Dim>& data, const Vec<Dim>& place,
                                            Contact<Dim>& contact) const {
   const NodeField<Dim>& field = data.fields.of_body(data.points.body()[contact.row]);
   const Grid<Dim>& grid = field.grid;
@@ -78,7 +91,7 @@ bool ObstacleContacts<Dim>::place_on_nodes(const DynamicsData<Dim>& data,
   double share[Dim];
   Index base = field.offset;
   for (int axis = 0; axis < Dim; ++axis) {
-    const double at = (contact.foot[axis] - grid.origin()[axis]) * grid.inverse_cell_size();
+    const double at = (place[axis] - grid.origin()[axis]) * grid.inverse_cell_size();
     const auto cell = static_cast<Index>(std::floor(at));
     if (cell < 0 || cell + 1 >= grid.nodes(axis)) {
       return false;
@@ -87,7 +100,7 @@ bool ObstacleContacts<Dim>::place_on_nodes(const DynamicsData<Dim>& data,
     base += cell * grid.node_stride(axis);
   }
   constexpr double least_weight = 1e-9, least_sum = 1e-3;
-  double sum = 0.0;
+  double sum = 0.0, heaviest = 0.0;
   for (int corner = 0; corner < Contact<Dim>::corners; ++corner) {
     Index node = base;
     double weight = 1.0;
@@ -100,8 +113,12 @@ bool ObstacleContacts<Dim>::place_on_nodes(const DynamicsData<Dim>& data,
     if (touched && weight > least_weight && mass[node] > data.empty_node) {
       contact.node[contact.count] = node;
       contact.weight[contact.count++] = weight;
-      sum += weight;
+      heaviest = std::max(heaviest, mass[node]);
     }
+  }
+  for (int k = 0; k < contact.count; ++k) {
+    contact.weight[k] *= std::min(1.0, mass[contact.node[k]] / (light_node * heaviest));
+    sum += contact.weight[k];
   }
   for (int k = 0; k < contact.count; ++k) {
     contact.weight[k] /= sum;
@@ -112,7 +129,7 @@ bool ObstacleContacts<Dim>::place_on_nodes(const DynamicsData<Dim>& data,
 template <int Dim>
 Contact<Dim> ObstacleContacts<Dim>::contact_at(const DynamicsData<Dim>& data, Index row,
                                                const Vec3& x, double gap, double step) const {
-  const double radius = radii_[data.points.body()[row]];
+  const double skin = skins_.of(row);
   const Vec3 normal = motion_.turned(gradient(obstacle_.shape, motion_.reference(x)));
   Contact<Dim> contact;
   contact.row = row;
@@ -120,9 +137,9 @@ Contact<Dim> ObstacleContacts<Dim>::contact_at(const DynamicsData<Dim>& data, In
   const Vec3 foot = x - gap * normal;
   contact.foot = foot.head<Dim>();
   contact.wall = motion_.velocity(foot).template head<Dim>();
-  contact.bound = -std::max(0.0, gap - radius) / step;
+  contact.bound = -std::max(0.0, gap - skin) / step;
   contact.share = 1.0 - std::exp(-step / lags_[data.points.body()[row]]);
-  contact.grip = gap <= radius ? obstacle_.adhesion * std::pow(2.0 * radius, Dim - 1) * step : 0.0;
+  contact.grip = gap <= skin ? obstacle_.adhesion * std::pow(2.0 * skin, Dim - 1) * step : 0.0;
   return contact;
 }
 
@@ -135,7 +152,7 @@ void ObstacleContacts<Dim>::find(const DynamicsData<Dim>& data, double step, dou
       static_cast<std::size_t>((count + piece_rows - 1) / piece_rows));
   parallel_ranges(count, [&](Index begin, Index end) {
     for (Index row = begin; row < end; ++row) {
-      const double zone = radii_[data.points.body()[row]] + 0.5 * h;
+      const double zone = skins_.of(row) + 0.5 * h;
       double& clear = memory_[row * kept];  // what it was, plus what had been travelled then
       if (clear - travelled > zone + reach) {
         continue;
@@ -145,7 +162,9 @@ void ObstacleContacts<Dim>::find(const DynamicsData<Dim>& data, double step, dou
       clear = gap + travelled - reach;
       if (gap < zone) {
         Contact<Dim> contact = contact_at(data, row, x, gap, step);
-        if (place_on_nodes(data, contact)) {
+        // One that is inside acts where it is: nodes at the surface alone would not hold it.
+        const Vec<Dim> at = gap < 0.0 ? Vec<Dim>(x.template head<Dim>()) : contact.foot;
+        if (place_on_nodes(data, at, contact)) {
           found[begin / piece_rows].push_back(contact);
         }
       }
@@ -190,26 +209,34 @@ typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::push(DynamicsData<Di
     velocity[axis] = data.nodes.velocity(axis);
     increment[axis] = data.nodes.increment(axis);
   }
-  for (Contact<Dim>& contact : contacts_) {
-    contact.approach = contact.at_foot(velocity);
-    contact.start = contact.approach - contact.at_foot(increment);
+  light_ = find_light_nodes(data, contacts_);
+  for (auto* contacts : {&contacts_, &light_}) {
+    for (Contact<Dim>& contact : *contacts) {
+      contact.approach = contact.at_foot(velocity);
+      contact.start = contact.approach - contact.at_foot(increment);
+    }
   }
   start_from(last_step_ > 0.0 ? step / last_step_ : 0.0);
   solve_contacts<Dim>(contacts_, friction_, data.nodes.mass(), velocity, motion_, crowd);
+  hold_light_nodes<Dim>(light_, data.nodes.mass(), velocity, motion_);
   keep();
   last_step_ = step;
-  return book(velocity, step);
+  force_.setZero();
+  torque_.setZero();
+  Work work;
+  book(contacts_, velocity, step, work);
+  book(light_, velocity, step, work);
+  work_ += work.given;
+  return work;
 }
 
 /// What the impulses of the step did: they work on the mean of the velocities before and after it.
 template <int Dim>
-typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::book(double* const (&velocity)[Dim],
-                                                                 double step) {
-  Work work;
-  force_.setZero();
-  torque_.setZero();
-  for (const Contact<Dim>& contact : contacts_) {
+void ObstacleContacts<Dim>::book(std::vector<Contact<Dim>>& contacts,
+                                 double* const (&velocity)[Dim], double step, Work& work) {
+  for (Contact<Dim>& contact : contacts) {
     const Vec<Dim> after = contact.at_foot(velocity), impulse = contact.impulse();
+    contact.solved = after;
     const Vec<Dim> wall = motion_.mean_velocity(in_space<Dim>(contact.foot)).template head<Dim>();
     const Vec<Dim> slip = 0.5 * (contact.start + after) - wall;
     work.kinetic += impulse.dot(0.5 * (contact.approach + after));
@@ -221,8 +248,16 @@ typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::book(double* const (
     force_ -= given / step;
     torque_ -= (in_space<Dim>(contact.foot) - motion_.center()).cross(given) / step;
   }
-  work_ += work.given;
-  return work;
+}
+
+template <int Dim>
+void ObstacleContacts<Dim>::push_second(DynamicsData<Dim>& data) {
+  double* velocity[Dim];
+  for (int axis = 0; axis < Dim; ++axis) {
+    velocity[axis] = data.nodes.second_velocity(axis);
+  }
+  match_contacts<Dim>(contacts_, data.nodes.mass(), velocity);
+  match_light_nodes<Dim>(light_, velocity);
 }
 
 template <int Dim>

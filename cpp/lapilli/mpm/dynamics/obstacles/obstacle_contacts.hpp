@@ -5,22 +5,24 @@
 
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
 #include "lapilli/mpm/dynamics/obstacles/contact.hpp"
+#include "lapilli/mpm/dynamics/obstacles/point_skins.hpp"
 #include "lapilli/mpm/dynamics/obstacles/rigid_motion.hpp"
 
 namespace lapilli {
 
 /// One obstacle, the contacts it has in this step and what it has given.
 ///
-/// Contacts are the points nearer than half a cell and their own half width; each acts at its foot
+/// Contacts are the points nearer than half a cell and their own skin; each acts at its foot
 /// on the surface through linear functions, so that the wall is where it is drawn and the lowest
 /// row of points carries stress (nodes inside the obstacle take their share of the reaction).
 template <int Dim>
 class ObstacleContacts {
  public:
-  /// `radii`: half the spacing of the points of each body, m. Throws std::invalid_argument naming
-  /// the deepest point that starts inside the obstacle.
+  /// `skins` as in PointSkins. `before` (may be null): the state in which `earlier` is where it
+  /// goes on from. Throws std::invalid_argument naming the deepest point that starts inside an
+  /// obstacle that does not go on.
   ObstacleContacts(const DynamicsData<Dim>& data, const Obstacle& obstacle, std::string name,
-                   std::vector<double> radii);
+                   const PointSkins& skins, const PointStart* before = nullptr, int earlier = -1);
 
   /// Contacts of the points where they are. No point has moved farther than `travelled` (m, since
   /// the start) plus `reach`.
@@ -34,6 +36,8 @@ class ObstacleContacts {
     double impact = 0.0;    // J, lost across it
   };
   Work push(DynamicsData<Dim>& data, double step, std::vector<double>& crowd);
+  /// What they mean for the velocity projected again (MUSL), which only strains.
+  void push_second(DynamicsData<Dim>& data);
   /// After it: the next step starts from the impulses of the present contacts.
   void finish_step();
 
@@ -56,23 +60,26 @@ class ObstacleContacts {
   // Of a point: clearance, the step it belongs to, and its impulse (push, drag, felt).
   static constexpr int stamp = 1, held = 2, kept = 4 + Dim;
 
+  void require_nothing_inside(const DynamicsData<Dim>& data) const;
   double clearance(const Vec3& x) const { return distance(obstacle_.shape, motion_.reference(x)); }
-  bool place_on_nodes(const DynamicsData<Dim>& data, Contact<Dim>& contact) const;
+  bool place_on_nodes(const DynamicsData<Dim>& data, const Vec<Dim>& place,
+                      Contact<Dim>& contact) const;
   Contact<Dim> contact_at(const DynamicsData<Dim>& data, Index row, const Vec3& x, double gap,
                           double step) const;
-  Work book(double* const (&velocity)[Dim], double step);
+  void book(std::vector<Contact<Dim>>& contacts, double* const (&velocity)[Dim], double step,
+            Work& work);
   void start_from(double scale);
   void keep();
 
   Obstacle obstacle_;
   std::string name_;
-  std::vector<double> radii_;
+  const PointSkins& skins_;
   std::vector<double> lags_;  // s, by body: what friction needs to feel a change of the push
   RigidMotion motion_;
   double reach_ = 0.0;     // m, from the centre of turning to the farthest surface
   double friction_ = 0.0;  // infinite without slip
   PointArray memory_;
-  std::vector<Contact<Dim>> contacts_;
+  std::vector<Contact<Dim>> contacts_, light_;
   double steps_ = 0.0, last_step_ = 0.0;
   Vec3 force_ = Vec3::Zero(), torque_ = Vec3::Zero(), impulse_ = Vec3::Zero();
   double work_ = 0.0;

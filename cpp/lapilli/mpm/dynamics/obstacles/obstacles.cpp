@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/transfer/point_start.hpp"
 
 namespace lapilli {
 namespace {
@@ -26,18 +27,29 @@ void add_motion(const std::string& name, const RigidMotion& motion,
   all.emplace_back(message(name, " kinetic energy"), motion.kinetic_energy());
 }
 
+/// Half the spacing of the points of each body, m.
+template <int Dim>
+std::vector<double> half_spacings(const DynamicsProblem<Dim>& problem) {
+  std::vector<double> all;
+  for (const DynamicsBody& body : problem.bodies) {
+    all.push_back(body.half_width * problem.grid.cell_size());
+  }
+  return all;
+}
+
 }  // namespace
 
 template <int Dim>
-Obstacles<Dim>::Obstacles(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem) {
-  std::vector<double> radii;
-  for (const DynamicsBody& body : problem.bodies) {
-    radii.push_back(body.half_width * data.grid.cell_size());
-  }
+Obstacles<Dim>::Obstacles(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem)
+    : skins_(data.points, half_spacings<Dim>(problem), problem.shapes, problem.start.get()) {
   int index = 0;
+  const PointStart* before = problem.start.get();
   for (const Obstacle& obstacle : data.settings.obstacles) {
     const std::string name = obstacle.name.empty() ? message("obstacle ", index) : obstacle.name;
-    each_.push_back(std::make_unique<ObstacleContacts<Dim>>(data, obstacle, name, radii));
+    const int earlier =
+        before != nullptr && !before->obstacle.empty() ? before->obstacle[index] : -1;
+    each_.push_back(
+        std::make_unique<ObstacleContacts<Dim>>(data, obstacle, name, skins_, before, earlier));
     ++index;
   }
 }
@@ -54,7 +66,7 @@ void Obstacles<Dim>::push(DynamicsData<Dim>& data, const Step& step, double spee
   }
   for (const auto& one : each_) {
     one->motion().advance(step.time, ahead);
-    one->motion().set_time(step.time + 0.5 * step.size);
+    one->motion().set_span(step.time, step.size);
     if (one->motion().is_free()) {
       one->motion().accelerate(step.time, step.size, data.gravity);
     }
@@ -89,6 +101,13 @@ void Obstacles<Dim>::push(DynamicsData<Dim>& data, const Step& step, double spee
 }
 
 template <int Dim>
+void Obstacles<Dim>::push_second(DynamicsData<Dim>& data) {
+  for (const auto& one : each_) {
+    one->push_second(data);
+  }
+}
+
+template <int Dim>
 void Obstacles<Dim>::finish_step(const Step& step, double moved, bool ahead, double damping) {
   const double done = ahead ? 0.5 * step.size : 0.0;
   double fastest = 0.0;
@@ -101,7 +120,7 @@ void Obstacles<Dim>::finish_step(const Step& step, double moved, bool ahead, dou
       one->motion().finish(step.size, done);
     } else {
       one->motion().advance(step.time + done, step.size - done);
-      one->motion().set_time(step.time + step.size);
+      one->motion().set_span(step.time + step.size, 0.0);
     }
     one->finish_step();
     fastest = std::max(fastest, one->speed());
@@ -169,6 +188,7 @@ void Obstacles<Dim>::save(Archive& archive, const std::string& prefix) const {
   for (std::size_t k = 0; k < each_.size(); ++k) {
     each_[k]->save(archive, message(prefix, "/", k));
   }
+  skins_.save(archive, prefix);
   const double numbers[] = {travelled_, given_};
   archive.write(prefix + "/sums", std::span<const double>(numbers));
 }
@@ -178,6 +198,7 @@ void Obstacles<Dim>::load(const Archive& archive, const std::string& prefix) {
   for (std::size_t k = 0; k < each_.size(); ++k) {
     each_[k]->load(archive, message(prefix, "/", k));
   }
+  skins_.load(archive, prefix);
   double numbers[2];
   archive.read(prefix + "/sums", std::span<double>(numbers));
   travelled_ = numbers[0];

@@ -20,6 +20,9 @@ class Obstacles {
   /// Push what the forces accelerated out of the obstacles. Points must be where the nodes act on
   /// them; none is faster than `speed`. Changes velocity and increment of the nodes, and the sums.
   void push(DynamicsData<Dim>& data, const Step& step, double speed, NodeSums& sums);
+  /// What that means for the velocity projected again (MUSL): its strain is that of the solved
+  /// nodes, or confined bodies would gain energy.
+  void push_second(DynamicsData<Dim>& data);
   /// Move the obstacles to the end of the step, in which points moved at most `moved`; `ahead`:
   /// from the middle of it. `damping`: share of local damping.
   void finish_step(const Step& step, double moved, bool ahead, double damping);
@@ -35,6 +38,7 @@ class Obstacles {
   void load(const Archive& archive, const std::string& prefix);
 
  private:
+  PointSkins skins_;
   std::vector<std::unique_ptr<ObstacleContacts<Dim>>> each_;
   std::vector<double> crowd_;        // scratch over the nodes
   std::vector<double> before_[Dim];  // nodal velocity before the impulses

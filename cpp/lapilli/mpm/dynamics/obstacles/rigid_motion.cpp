@@ -29,7 +29,7 @@ RigidMotion::RigidMotion(const Obstacle& obstacle, int dimension, const std::str
   std::copy(obstacle.velocity.begin(), obstacle.velocity.end(), speed_.data());
   std::copy(obstacle.center.begin(), obstacle.center.end(), center_.data());
   axis_ = Eigen::Map<const Vec3>(obstacle.axis.data()).normalized();
-  set_time(0.0);
+  set_span(0.0, 0.0);
   if (!obstacle.mass) {
     return;
   }
@@ -59,17 +59,17 @@ void RigidMotion::advance(double time, double span) {
     turn_by(span * spin_);
     return;
   }
-  const double share = span * factor_.at(time + 0.5 * span);
+  const double share = span * factor_.mean(time, time + span);
   displacement_ += share * speed_;
   angle_ += share * rate_;
   turn_ = angle_ == 0.0 ? Mat3(Mat3::Identity()) : Eigen::AngleAxisd(angle_, axis_).matrix();
 }
 
-void RigidMotion::set_time(double time) {
+void RigidMotion::set_span(double time, double span) {
   if (!free_) {
-    const double present = factor_.at(time);
-    velocity_ = present * speed_;
-    spin_ = present * rate_ * axis_;
+    const double mean = factor_.mean(time, time + span);
+    velocity_ = mean * speed_;
+    spin_ = mean * rate_ * axis_;
   }
 }
 

@@ -18,11 +18,12 @@ class RigidMotion {
 
   bool is_free() const { return free_.has_value(); }
 
-  /// Move on from `time` over `span`, s: a prescribed motion with the mean of the factor, exact
-  /// where a table is linear; a free one with its present velocity.
+  /// Move on from `time` over `span`, s: a prescribed motion with the mean of the factor; a free
+  /// one with its present velocity.
   void advance(double time, double span);
-  /// Take the velocities of this time, where they are prescribed.
-  void set_time(double time);
+  /// Take the mean velocities of this span, where they are prescribed; those at `time` where it is
+  /// empty.
+  void set_span(double time, double span);
 
   // Of a free motion, one step: the forces but those of contacts, the impulses of contacts, the way
   // with the mean of the velocities before and after, so that its energy is exact.
