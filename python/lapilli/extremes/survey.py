@@ -18,8 +18,31 @@ Finding = dict[str, Any]  # plain values, as kept in a file
 Report = Callable[[int, int, str], None]
 
 
+class Task:
+    """Something to be found out once, under a name that nothing else has."""
+
+    @property
+    def name(self) -> str:
+        """Unique among all tasks."""
+        raise NotImplementedError
+
+    def measured(self) -> Finding:
+        """What is found."""
+        raise NotImplementedError
+
+    def lost(self, reason: str) -> Finding:
+        """What is said of it where its process died."""
+        raise NotImplementedError
+
+    def __call__(self) -> Finding:
+        return {"name": self.name, **self.measured()}
+
+    def without_error(self, reason: str) -> Finding:
+        return {"name": self.name, **self.lost(reason)}
+
+
 @dataclass(frozen=True)
-class Steps:
+class Steps(Task):
     """A case over a range of steps."""
 
     case: Case
@@ -27,21 +50,14 @@ class Steps:
 
     @property
     def name(self) -> str:
-        """Unique among all work."""
-        return f"{self.case.transfer}: {self.case.name}"
+        return f"{self.case.transfer}: {self.case.name}, {len(self.factors)} steps"
 
-    def __call__(self) -> Finding:
-        """Try every step."""
-        return self.found([row_as_json(row) for row in measure(self.case, self.factors)])
+    def measured(self) -> Finding:
+        return {"rows": [row_as_json(row) for row in measure(self.case, self.factors)]}
 
-    def without_error(self, reason: str) -> Finding:
-        """What is said of it where its process died."""
+    def lost(self, reason: str) -> Finding:
         row = Row(self.case, 0.0, 1.0, Outcome.UNSTABLE, None, None, reason)
-        return self.found([row_as_json(row)])
-
-    def found(self, rows: list[Finding]) -> Finding:
-        """The rows with the name of the work."""
-        return {"name": self.name, "rows": rows}
+        return {"rows": [row_as_json(row)]}
 
     def rows(self, found: Finding) -> list[Row]:
         """As measured."""
@@ -49,24 +65,20 @@ class Steps:
 
 
 @dataclass(frozen=True)
-class Wall:
+class Wall(Task):
     """A support."""
 
     case: SupportCase
 
     @property
     def name(self) -> str:
-        """Unique among all work."""
         return f"{self.case.form}: {self.case.name}"
 
-    def __call__(self) -> Finding:
-        """Solve it."""
-        return {"name": self.name, **wall_as_json(measure_support(self.case))}
+    def measured(self) -> Finding:
+        return wall_as_json(measure_support(self.case))
 
-    def without_error(self, reason: str) -> Finding:
-        """What is said of it where its process died."""
-        row = SupportRow(self.case, Outcome.UNSTABLE, None, 0.0, None, reason)
-        return {"name": self.name, **wall_as_json(row)}
+    def lost(self, reason: str) -> Finding:
+        return wall_as_json(SupportRow(self.case, Outcome.UNSTABLE, None, 0.0, None, reason))
 
     def row(self, found: Finding) -> SupportRow:
         """As measured."""
@@ -81,23 +93,20 @@ class Wall:
 
 
 @dataclass(frozen=True)
-class Judged:
+class Judged(Task):
     """A trial."""
 
     trial: Trial
 
     @property
     def name(self) -> str:
-        """Unique among all work."""
         return f"{self.trial.group}: {self.trial.name}"
 
-    def __call__(self) -> Finding:
-        """Run and judge it."""
-        return {"name": self.name, **verdict_as_json(self.trial())}
+    def measured(self) -> Finding:
+        return verdict_as_json(self.trial())
 
-    def without_error(self, reason: str) -> Finding:
-        """What is said of it where its process died."""
-        return {"name": self.name, **verdict_as_json(self.trial.without_error(reason))}
+    def lost(self, reason: str) -> Finding:
+        return verdict_as_json(self.trial.without_error(reason))
 
     def verdict(self, found: Finding) -> Verdict:
         """As judged."""
@@ -113,7 +122,7 @@ class Judged:
 
 
 def survey(
-    work: Sequence[Steps | Wall | Judged],
+    work: Sequence[Task],
     workers: int = 1,
     kept: str | os.PathLike[str] | None = None,
     report: Report | None = None,

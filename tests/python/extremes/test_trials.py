@@ -14,7 +14,8 @@ import lapilli as lp
 from lapilli._core import RunError
 from lapilli.cli import main
 from lapilli.extremes import Outcome
-from lapilli.extremes.survey import Judged, survey
+from lapilli.extremes.cases import Case, square
+from lapilli.extremes.survey import Judged, Steps, survey
 from lapilli.extremes.trials import Mark, Trial, all_trials
 
 EVERY = list(all_trials())
@@ -90,6 +91,13 @@ def test_a_survey_that_was_stopped_goes_on(tmp_path: Path) -> None:
         name: {**one, "seconds": pytest.approx(one["seconds"], abs=10)}
         for name, one in found.items()
     }
+
+
+def test_what_a_quick_survey_kept_does_not_stand_for_a_whole_one(tmp_path: Path) -> None:
+    case, kept = Case("lattice", "flip", square("flip", 1.0), True), tmp_path / "kept.jsonl"
+    quick, whole = Steps(case, (1.0,)), Steps(case, (0.5, 1.0))
+    assert len(quick.rows(survey([quick], kept=kept)[quick.name])) == 1
+    assert len(whole.rows(survey([whole], kept=kept)[whole.name])) == 2
 
 
 def test_the_command_draws_and_writes_a_group(

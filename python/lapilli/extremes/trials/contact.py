@@ -10,6 +10,13 @@ from typing import Any
 import numpy as np
 
 import lapilli as lp
+from lapilli.extremes.trials.numbers import (
+    balance_of,
+    energy_gained,
+    energy_of,
+    in_spans,
+    momentum_residual,
+)
 from lapilli.extremes.trials.trial import Mark, Trial
 
 # Cell, density and weight are 1.
@@ -135,20 +142,16 @@ def judge_meeting(scene: lp.Scene) -> Sequence[Mark]:
     """Energy that nothing put in, and momentum."""
     simulation = lp.Simulation(scene)
     worst = Mark("energy gained", 0.0, GAIN_BAR)
-    for part in range(1, 41):
-        simulation.run_until(scene.time.end * part / 40)
+    for _ in in_spans(simulation, scene.time.end / 40):
         worst = max(worst, gain_of(simulation), key=lambda mark: mark.value)
-    momentum = max(abs(one.residual) for one in simulation.balance() if "momentum" in one.quantity)
-    return [worst, Mark("momentum", momentum, MOMENTUM_BAR)]
+    return [worst, Mark("momentum", momentum_residual(simulation), MOMENTUM_BAR)]
 
 
 def gain_of(simulation: lp.Simulation) -> Mark:
     """Energy that nothing put in, over what moves and strains and what was lost."""
-    energy = next(one for one in simulation.balance() if one.quantity == "energy")
-    lost = sum(abs(value) for value in energy.entries.values())
-    numbers = simulation.diagnostics()
-    size = numbers["dynamics/kinetic_energy"] + numbers["dynamics/elastic_energy"] + lost
-    return Mark("energy gained", numbers["dynamics/energy_gained"] / size, GAIN_BAR)
+    entries = balance_of(simulation, "energy").entries
+    size = energy_of(simulation) + sum(abs(value) for value in entries.values())
+    return Mark("energy gained", energy_gained(simulation) / size, GAIN_BAR)
 
 
 def _elastic(modulus: float = MODULUS, density: float = 1.0) -> lp.Elastic:

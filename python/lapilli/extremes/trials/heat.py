@@ -10,6 +10,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import lapilli as lp
+from lapilli.extremes.trials.numbers import balance_of, in_spans
 from lapilli.extremes.trials.trial import Mark, Trial
 from lapilli.references.radial import RadialProblem, RadialSolution
 from lapilli.references.thermal import Convection, Prescribed
@@ -74,7 +75,7 @@ def judge_ball(
     simulation, stray = watched(scene, 0.0, 1.0)
     problem = RadialProblem(inner=0.0, outer=RADII[dim], dimension=dim, at_outer=boundary)
     exact = float(RadialSolution(problem).heat_content(scene.time.end))
-    found = next(one for one in simulation.balance() if one.quantity == "heat")
+    found = balance_of(simulation, "heat")
     return [
         Mark("stray", stray, STRAY_BAR),
         Mark("error of the heat", abs(found.stored / exact - 1.0), (1 + (biot >= 10)) * HEAT_BAR),
@@ -98,7 +99,7 @@ def plate(law: str, how: str) -> Trial:
 def judge_plate(scene: lp.Scene) -> Sequence[Mark]:
     """Temperatures stay between start and surroundings, and heat adds up."""
     simulation, stray = watched(scene, 300.0, 1800.0)
-    found = next(one for one in simulation.balance() if one.quantity == "heat")
+    found = balance_of(simulation, "heat")
     return [Mark("stray", stray, STRAY_BAR), Mark("balance", abs(found.residual), 1e-9)]
 
 
@@ -137,8 +138,7 @@ def watched(scene: lp.Scene, low: float, high: float) -> tuple[lp.Simulation, fl
     """Run a scene; how far temperatures were ever beyond a range, over the range."""
     simulation = lp.Simulation(scene)
     stray = 0.0
-    while simulation.time < scene.time.end:
-        simulation.run_until(min(scene.time.end, simulation.time + scene.time.end / 40))
+    for _ in in_spans(simulation, scene.time.end / 40):
         values = simulation["temperature"]
         stray = max(stray, low - values.min(), values.max() - high)
     return simulation, float(stray) / (high - low)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 import lapilli as lp
+from lapilli.extremes.trials.numbers import energy_gained, energy_of, in_spans
 from lapilli.extremes.trials.trial import Mark, Trial
 
 # Cell and density are 1 and, but where it is varied, so is Young's modulus.
@@ -87,11 +88,8 @@ def judge_bar(period: float, scene: lp.Scene) -> Sequence[Mark]:
     half a step apart, so that their sum swings."""
     simulation = lp.Simulation(scene)
     simulation.run_until(period)
-    numbers = simulation.diagnostics()
-    size = numbers["dynamics/kinetic_energy"] + numbers["dynamics/elastic_energy"]
-    start, most = numbers["dynamics/energy_gained"], 0.0
-    while simulation.time < scene.time.end:
-        simulation.run_until(min(scene.time.end, simulation.time + 5.3 * period))
-        gained = (simulation.diagnostics()["dynamics/energy_gained"] - start) / size
+    size, start, most = energy_of(simulation), energy_gained(simulation), 0.0
+    for _ in in_spans(simulation, 5.3 * period):
+        gained = (energy_gained(simulation) - start) / size
         most = max(most, gained)
     return [Mark("energy gained", most, GAIN_BAR), Mark("energy lost", -gained, LOSS_BAR)]
