@@ -41,16 +41,22 @@ def test_the_import_needs_only_what_is_declared() -> None:
     assert "pip install 'lapilli[plot]'" in done.stdout
 
 
+def processor_time(code: str) -> float:
+    """Of a fresh interpreter, its own start included, s."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run([sys.executable, "-c", code], check=True)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
 def test_the_import_is_light() -> None:
-    """Processor time of `import lapilli`, the interpreter's own start included; the least of a few
-    because others may use the machine."""
-    times = []
-    for _ in range(5):
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        subprocess.run([sys.executable, "-c", "import lapilli"], check=True)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        times.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
-    assert min(times) < 0.25
+    """`import lapilli` beside the NumPy it needs, by turns: the quotient of the least is the same
+    on a slow machine and beside other programs. 0.25 s where NumPy takes 0.14 s is 1.8."""
+    numpy, own = zip(
+        *((processor_time("import numpy"), processor_time("import lapilli")) for _ in range(7)),
+        strict=True,
+    )
+    assert min(own) < 1.8 * min(numpy)
 
 
 @pytest.fixture(scope="module")

@@ -15,6 +15,7 @@
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/build_peridynamics.hpp"
+#include "lapilli/scene/common_motion.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/stress_at_start.hpp"
 
@@ -66,26 +67,9 @@ DistanceFunction distance_of(const Scene& scene) {
   return [all = Union{std::move(shapes)}](const Vec3& at) { return all.distance(at); };
 }
 
-bool has_motion(const Scene& scene) {
-  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                     [](const Body& body) { return body.motion.has_value(); });
-}
-
-bool has_moving_points(const Scene& scene) { return has_motion(scene) || scene.dynamics; }
-
 // The box of a point is half its spacing wide on each side, whatever its volume.
 double half_width_of(const Scene& scene, const FilledPoints& filled) {
   return std::min(0.5, 0.5 * filled.spacing / scene.grid.cell);
-}
-
-// The one prescribed motion that all bodies share; none where they do not, or nothing moves.
-std::optional<Motion> common_motion(const Scene& scene) {
-  const std::optional<Motion>& first = scene.bodies.front().motion;
-  const bool shared = first && !scene.dynamics && is_rigid(*first) &&
-                      std::all_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
-                        return body.motion && is_same(*body.motion, *first);
-                      });
-  return shared ? first : std::nullopt;
 }
 
 template <int Dim>

@@ -30,6 +30,13 @@ void check_walls(const Scene& scene) {
     at_place(scene, path, [&] { check(walls[k], static_cast<int>(scene.grid.lower.size())); });
     require_at(names.insert(walls[k].name).second, scene, path + ".name", "is '", walls[k].name,
                "' as that of another wall: balances tell walls by their names");
+    const auto& flow = scene.peridynamics->flow;
+    const bool two_field = flow && (flow->laplacian == Laplacian::literal ||
+                                    flow->laplacian == Laplacian::zero_energy);
+    require_at(
+        !two_field || walls[k].slip == Slip::no_slip, scene, path + ".slip",
+        "free-slip needs peridynamics.flow.laplacian = \"corrected\" or \"compact\": with \"",
+        flow ? name_of(flow->laplacian) : "", "\" the fluid sticks to every wall");
   }
 }
 

@@ -40,7 +40,7 @@ TEST_CASE("a setting that nothing reads is named with the reason") {
   };
   const auto idle =
       GENERATE(Idle{"heat.theta=1", "heat.theta", "heat.time_integration is not implicit"},
-               Idle{"heat.solver=cg", "heat.solver", "explicit, or the step is given"},
+               Idle{"heat.solver=cg", "heat.solver", "explicit steps here, or the step is given"},
                Idle{"heat.tolerance=1e-3", "heat.tolerance", "the step is given"},
                Idle{"heat.surface_fraction=0.4", "heat.surface_fraction", "is not paper"},
                Idle{"heat.blend=2", "heat.blend", "only heat.transfer = affine"},
