@@ -12,13 +12,6 @@
 namespace lapilli {
 
 template <int Dim>
-bool EnthalpyHeat<Dim>::is_needed(const HeatProblem<Dim>& problem) {
-  return !problem.settings.contacts.empty() ||
-         std::any_of(problem.bodies.begin(), problem.bodies.end(),
-                     [](const HeatBody& body) { return body.material.varies(); });
-}
-
-template <int Dim>
 EnthalpyHeat<Dim>::EnthalpyHeat(Points& points, HeatProblem<Dim> problem)
     : points_(points),
       problem_(with_kinks<Dim>(std::move(problem))),

@@ -23,9 +23,6 @@ class EnthalpyHeat final : public Physics, public HasSurface, public Warnings {
  public:
   EnthalpyHeat(Points& points, HeatProblem<Dim> problem);
 
-  /// Whether a problem needs it; then CutCellHeat has to suit it too.
-  static bool is_needed(const HeatProblem<Dim>& problem);
-
   std::string name() const override { return "heat"; }
   StepLimit step_limit() const override;
   StepReport advance(const Step& step) override;

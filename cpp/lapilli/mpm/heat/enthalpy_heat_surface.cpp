@@ -51,6 +51,8 @@ void EnthalpyHeat<Dim>::connect_surface() {
       add(sites.normal, own.sites.normal);
       add(sites.area, own.sites.area);
       add(sites.hold, own.sites.hold);
+      add(sites.conductivity, own.sites.conductivity);
+      sites.depth = own.sites.depth;
       const HoldLayer& layer = own.sites.layer;
       sites.layer = {std::max(sites.layer.thickness, layer.thickness),
                      sites.layer.behind || layer.behind};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -40,6 +41,15 @@ struct HeatProblem {
   bool fixed_steps = false;   // whether the user has chosen the step
   std::optional<Motion> frame{};  // the one prescribed motion of all bodies, where they share one
 };
+
+/// Whether heat is not linear in the temperature of the nodes of one part alone: properties depend
+/// on it, something melts, or bodies touch with a resistance. EnthalpyHeat solves these.
+template <int Dim>
+bool is_nonlinear(const HeatProblem<Dim>& problem) {
+  return !problem.settings.contacts.empty() ||
+         std::any_of(problem.bodies.begin(), problem.bodies.end(),
+                     [](const HeatBody& body) { return body.material.varies(); });
+}
 
 /// The heat solver a scene needs: operators integrated over the shapes where bodies rest and have
 /// them; nodal operators assembled once from points where these rest and the transfer closes on the

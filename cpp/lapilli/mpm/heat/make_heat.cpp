@@ -30,7 +30,7 @@ std::unique_ptr<Physics> make_heat(Points& points, HeatProblem<Dim> problem) {
           "heat.transfer = \"nodal\" needs points at rest or one rigid motion of all bodies, but "
           "this scene moves them");
   const bool cut_cells = CutCellHeat<Dim>::suits(problem);
-  if (EnthalpyHeat<Dim>::is_needed(problem)) {
+  if (is_nonlinear(problem)) {
     require(cut_cells,
             "properties that depend on the temperature, latent heat and heat.contacts need bodies "
             "with shapes, at rest or in one rigid motion, and the defaults of heat.method, "

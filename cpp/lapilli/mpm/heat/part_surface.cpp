@@ -10,10 +10,8 @@
 namespace lapilli {
 namespace {
 
-// Where the conductivity depends on the temperature, a layer of the largest one would resist too
-// little; and both sides of a contact have their own. These are thin, and exchange does not pass
-// them.
-constexpr double thin = 1e-4, thin_of_contact = 1.0 / 300.0;  // cells
+// Both sides of a contact have their own layer, thin, and exchange does not pass it.
+constexpr double thin_of_contact = 1.0 / 300.0;  // cells
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
@@ -42,18 +40,23 @@ HoldLayer layer_of(const HeatProblem<Dim>& problem, std::size_t law,
   }
   double least = std::numeric_limits<double>::infinity();  // W/(m K), across any piece
   for (const auto& [body, some] : pieces) {
-    const auto& conductivity = problem.bodies[body].material.conductivity;
-    if (conductivity.varies() && !some.empty()) {
-      return {thin, false};
-    }
-    const Mat<Dim> k = conductivity.largest().template block<Dim>();
+    const Mat<Dim> k = problem.bodies[body].material.conductivity.least().template block<Dim>();
     for (const SurfacePiece<Dim>& piece : some) {
       least = std::min(least, piece.normal.dot(k * piece.normal));
     }
   }
   const HoldLayer layer;
-  const double hold = least / (layer.thickness * problem.grid.cell_size());
-  return {layer.thickness, passes_layer(problem.settings.boundaries[law], hold)};
+  const HeatBoundary& one = problem.settings.boundaries[law];
+  if (is_nonlinear(problem)) {  // one system over all parts: one answer for all
+    return {layer.thickness, passes_layer(one, 0.0)};
+  }
+  return {layer.thickness, passes_layer(one, least / (layer.thickness * problem.grid.cell_size()))};
+}
+
+template <int Dim>
+bool conductivity_varies(const HeatProblem<Dim>& problem) {
+  return std::any_of(problem.bodies.begin(), problem.bodies.end(),
+                     [](const HeatBody& body) { return body.material.conductivity.varies(); });
 }
 
 template <int Dim, class Function>
@@ -69,8 +72,11 @@ void trace_pieces(const HeatProblem<Dim>& problem, const std::vector<PiecesOfBod
     sites.layer = layer_of(problem, law, pieces[law]);
     const double thickness = sites.layer.thickness * grid.cell_size();
     const double depth = sites.layer.behind ? 0.5 * thickness : 0.0;
+    const bool renewed = law < problem.settings.boundaries.size() && conductivity_varies(problem);
+    sites.depth = thickness;
     for (const auto& [body, some] : pieces[law]) {
-      const Mat<Dim> k = problem.bodies[body].material.conductivity.largest().template block<Dim>();
+      const auto& conductivity = problem.bodies[body].material.conductivity;
+      const Mat<Dim> k = conductivity.largest().template block<Dim>();
       for (const SurfacePiece<Dim>& piece : some) {
         Vec3 normal = Vec3::Zero();
         normal.template head<Dim>() = piece.normal;
@@ -83,6 +89,9 @@ void trace_pieces(const HeatProblem<Dim>& problem, const std::vector<PiecesOfBod
           sites.normal.push_back(normal);
           sites.area.push_back(site.weight);
           sites.hold.push_back(hold);
+          if (renewed) {
+            sites.conductivity.push_back(conductivity.table());
+          }
           const Vec<Dim> seen_at = site.position - depth * piece.normal;
           Weights<Dim, Function>(grid, function, seen_at.data())
               .for_each_node(grid, [&](Index node, double s, const Vec<Dim>&) {
@@ -200,9 +209,7 @@ void store_heat(const HeatProblem<Dim>& problem, const std::vector<std::vector<d
     }
   }
   part.volume.clear();
-  if (!problem.settings.contacts.empty() ||
-      std::any_of(part.bodies.begin(), part.bodies.end(),
-                  [&](std::size_t body) { return problem.bodies[body].material.varies(); })) {
+  if (is_nonlinear(problem)) {
     for (std::size_t k = 0; k < part.bodies.size(); ++k) {
       std::vector<double>& own = part.volume.emplace_back(size, 0.0);
       for (Index node = 0; node < problem.grid.node_count(); ++node) {

@@ -57,6 +57,14 @@ void find_slope(const Value& flux, SurfaceSites& sites, double from, double to) 
   }
 }
 
+void renew_layers(SurfaceSites& sites) {
+  for (std::size_t k = 0; k < sites.conductivity.size(); ++k) {
+    if (sites.conductivity[k] != nullptr) {
+      sites.hold[k] = sites.conductivity[k]->at(sites.state[k]) / sites.depth;
+    }
+  }
+}
+
 /// What of a coefficient is left to the surface.
 double seen(double coefficient, double hold, bool behind) {
   if (!(hold > 0.0)) {
@@ -168,6 +176,7 @@ UniformLaw SurfaceConditions::uniform(std::size_t law, double hold, const HoldLa
 
 void SurfaceConditions::evaluate(std::size_t law, SurfaceSites& sites, double from,
                                  double to) const {
+  renew_layers(sites);
   const std::size_t count = sites.area.size();
   std::vector<double> first(count), second(count);
   const auto fill = [&](const Value& value, std::vector<double>& to_fill) {

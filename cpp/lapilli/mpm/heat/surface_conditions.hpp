@@ -5,6 +5,7 @@
 
 #include "lapilli/core/balance.hpp"
 #include "lapilli/core/physics.hpp"
+#include "lapilli/materials/over_temperature.hpp"
 #include "lapilli/mpm/heat/condition_account.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
 
@@ -27,6 +28,9 @@ struct SurfaceSites {
   std::vector<double> area;    // m^(dim-1)
   std::vector<double> hold;    // W/(m^2 K), of the layer through which a temperature is held there
   HoldLayer layer;
+  double depth = 0.0;  // m, of the layer
+  // By site, of bodies whose conductivity depends on the temperature; empty where no body has one.
+  std::vector<const TemperatureTable*> conductivity;
 
   // Of the last evaluation, at the temperature of the surface itself:
   std::vector<double> state;  // K
@@ -83,7 +87,8 @@ class SurfaceConditions {
   /// A uniform law over a step, whose sites have this `hold` and `layer`.
   UniformLaw uniform(std::size_t law, double hold, const HoldLayer& layer, double from,
                      double to) const;
-  /// Rates and slopes of any law over a step at sites.state.
+  /// Rates and slopes of any law over a step at sites.state; there layers of a conductivity that
+  /// depends on the temperature are renewed first.
   void evaluate(std::size_t law, SurfaceSites& sites, double from, double to) const;
 
   ConditionAccount& account() { return account_; }

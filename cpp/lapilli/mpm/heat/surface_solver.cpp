@@ -16,11 +16,24 @@ bool has_same_pattern(const Matrix& a, const Matrix& b) {
          std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
 }
 
+bool is_same(const Matrix& a, const Matrix& b) {
+  return has_same_pattern(a, b) &&
+         std::equal(a.valuePtr(), a.valuePtr() + a.nonZeros(), b.valuePtr());
+}
+
+/// The numbers of a base that is diagonal, which holds no conduction; none of others.
+std::vector<double> capacity_of(const Matrix& base) {
+  const bool diagonal = base.nonZeros() == base.cols();
+  return diagonal ? std::vector<double>(base.valuePtr(), base.valuePtr() + base.nonZeros())
+                  : std::vector<double>();
+}
+
 }  // namespace
 
 struct SurfaceSolver::State {
   Matrix base;
   Method method = Method::direct;
+  std::vector<double> loaded;             // capacity_of the base before a resume
   std::vector<std::array<int, 3>> place;  // of the unknowns on the grid
   SymmetricFactor factor;
   double conduction_scale = -1.0;  // of the conduction in the base
@@ -55,8 +68,15 @@ bool SurfaceSolver::has_base(double conduction_scale) const {
 
 void SurfaceSolver::set_base(Matrix base, double conduction_scale, Method method,
                              std::vector<std::array<int, 3>> place) {
+  const bool same_problem =
+      state_->conduction_scale == conduction_scale && state_->method == method;
+  if (same_problem && is_same(base, state_->base)) {
+    state_->place = std::move(place);
+    return;
+  }
   // After a resume the numbers of the factor of this base have been loaded.
-  if (state_->base.size() > 0 || state_->conduction_scale != conduction_scale) {
+  const bool other = !state_->loaded.empty() && capacity_of(base) != state_->loaded;
+  if (state_->base.size() > 0 || state_->conduction_scale != conduction_scale || other) {
     state_->scale = -1.0;
   }
   state_->analysed = state_->analysed && has_same_pattern(base, state_->base);
@@ -73,6 +93,7 @@ void SurfaceSolver::save(Archive& archive, const std::string& name) const {
   archive.write(name + "/slopes", std::span<const double>(state_->signature));
   archive.write(name + "/last_scale", state_->last_scale);
   archive.write(name + "/last_slopes", std::span<const double>(state_->last_signature));
+  archive.write(name + "/capacity", capacity_of(state_->base));
 }
 
 void SurfaceSolver::load(const Archive& archive, const std::string& name) {
@@ -82,6 +103,7 @@ void SurfaceSolver::load(const Archive& archive, const std::string& name) {
   state_->signature = archive.read_numbers(name + "/slopes");
   state_->last_scale = archive.read_number(name + "/last_scale");
   state_->last_signature = archive.read_numbers(name + "/last_slopes");
+  state_->loaded = archive.read_numbers(name + "/capacity");
 }
 
 int SurfaceSolver::iterations() const { return state_->iterations; }

@@ -29,9 +29,10 @@ SurfaceTerm::SurfaceTerm(const SurfaceConditions& laws, std::vector<Part> parts,
     sites.slope.resize(sites.area.size());
     known.hold = sites.hold.empty() ? 0.0 : *std::ranges::max_element(sites.hold);
     const bool one_material = !(laws.holds_temperature(law) || sites.layer.behind) ||
-                              std::all_of(sites.hold.begin(), sites.hold.end(), [&](double hold) {
-                                return std::abs(hold / known.hold - 1.0) < 1e-12;
-                              });
+                              (sites.conductivity.empty() &&
+                               std::all_of(sites.hold.begin(), sites.hold.end(), [&](double hold) {
+                                 return std::abs(hold / known.hold - 1.0) < 1e-12;
+                               }));
     known.elsewhere = elsewhere[law];
     empty_ = empty_ && known.elsewhere;
     known.uniform = known.elsewhere || (laws.is_uniform(law) && one_material);
