@@ -67,14 +67,21 @@ void check(const DynamicsSettings& settings, int dimension) {
 }
 
 std::vector<std::string> warnings(const DynamicsSettings& settings) {
+  std::vector<std::string> all;
   const bool flip = settings.transfer == VelocityTransfer::flip;
-  if (settings.transfer == VelocityTransfer::blended_apic ||
-      (flip && settings.pic_fraction == 0.0)) {
-    return {};
+  if (settings.transfer != VelocityTransfer::blended_apic &&
+      !(flip && settings.pic_fraction == 0.0)) {
+    all.push_back(
+        message("dynamics.transfer ", name_of(settings.transfer),
+                flip ? message(" with pic_fraction ", settings.pic_fraction) : std::string(),
+                " damps once a step: motion depends on the time step; blended_apic does not"));
   }
-  return {message("dynamics.transfer ", name_of(settings.transfer),
-                  flip ? message(" with pic_fraction ", settings.pic_fraction) : std::string(),
-                  " damps once a step: motion depends on the time step; blended_apic does not")};
+  if (settings.stress_update == StressUpdate::usl) {
+    all.emplace_back(
+        "dynamics.stress_update usl damps what vibrates, by up to a quarter of its energy in a "
+        "hundred periods; musl does not");
+  }
+  return all;
 }
 
 }  // namespace lapilli

@@ -121,11 +121,12 @@ def impact(
 
 
 def judge_impact(scene: lp.Scene) -> Sequence[Mark]:
-    """Energy that nothing put in, over the largest so far; the balance of momentum."""
+    """Energy that nothing put in, over the largest turnover so far; the balance of momentum."""
     simulation = lp.Simulation(scene)
     largest = gained = 0.0
     for _ in in_spans(simulation, scene.time.end / 50):
-        largest = max(largest, energy_of(simulation))
+        flow = simulation.diagnostics()["dynamics/plastic_dissipation"]
+        largest = max(largest, energy_of(simulation) + max(0.0, flow))
         gained = max(gained, energy_gained(simulation))
     return [
         Mark("energy gained", gained / largest, 0.01),
