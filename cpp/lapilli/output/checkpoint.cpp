@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstring>
 #include <map>
 #include <sstream>
@@ -22,61 +21,113 @@ constexpr Word version = 2;
 constexpr std::size_t head_words = 4;  // mark, version, words of content, checksum
 enum Kind : Word { numbers, indices, text };
 
-/// Content as words: a text is its length and its bytes filled up to whole words.
+constexpr std::size_t buffered = 1 << 16;  // words
+
+/// Content as words: a text is its length and its bytes filled up to whole words. What is large
+/// goes to the file from where it stands, what is small by the buffer.
 class WordWriter {
  public:
-  void put(Word word) { words_.push_back(word); }
+  explicit WordWriter(AtomicFile& file) : file_(file) {}
+
+  void put(Word word) { put_words(std::span(&word, 1)); }
   void put(const std::string& characters) {
     put(characters.size());
-    const std::size_t begin = words_.size();
-    words_.resize(begin + (characters.size() + 7) / 8, 0);
-    std::memcpy(words_.data() + begin, characters.data(), characters.size());
+    std::vector<Word> words((characters.size() + 7) / 8, 0);
+    std::memcpy(words.data(), characters.data(), characters.size());
+    put_words(words);
   }
-  template <class T>
-  void put(const std::vector<T>& values) {
+  void put(const std::vector<double>& values) {
     put(values.size());
-    for (const T& value : values) {
-      put(std::bit_cast<Word>(value));
-    }
+    put_words({reinterpret_cast<const Word*>(values.data()), values.size()});
   }
-  const std::vector<Word>& words() const { return words_; }
+  void put(const std::vector<Index>& values) {
+    put(values.size());
+    put_words({reinterpret_cast<const Word*>(values.data()), values.size()});
+  }
+  /// Write what waits; the sum of all.
+  const LongChecksum& finish() {
+    flush();
+    return sum_;
+  }
 
  private:
-  std::vector<Word> words_;
+  void put_words(std::span<const Word> words) {
+    sum_.add(words);
+    if (words.size() > buffered) {
+      flush();
+      file_.append(std::as_bytes(words));
+      return;
+    }
+    waiting_.insert(waiting_.end(), words.begin(), words.end());
+    if (waiting_.size() > buffered) {
+      flush();
+    }
+  }
+  void flush() {
+    file_.append(std::as_bytes(std::span(waiting_)));
+    waiting_.clear();
+  }
+
+  AtomicFile& file_;
+  LongChecksum sum_;
+  std::vector<Word> waiting_;
 };
 
 /// Reads the same; throws std::invalid_argument rather than pass the end.
 class WordReader {
  public:
-  explicit WordReader(std::span<const Word> words) : words_(words) {}
+  /// From word `begin` of the file to word `end`.
+  WordReader(const File& file, Word begin, Word end) : file_(file), at_(begin), end_(end) {}
 
-  Word word() { return take(1)[0]; }
+  Word word() {
+    Word word = 0;
+    read(std::span(&word, 1));
+    return word;
+  }
   std::string characters() {
     const Word size = word();
-    const std::span<const Word> from = take(size / 8 + (size % 8 != 0));
+    std::vector<Word> words(checked(size / 8 + (size % 8 != 0)));
+    read(words);
     std::string characters(size, '\0');
-    std::memcpy(characters.data(), from.data(), size);
+    std::memcpy(characters.data(), words.data(), size);
     return characters;
   }
   template <class T>
   std::vector<T> values() {
-    std::vector<T> values;
-    for (const Word word : take(word())) {
-      values.push_back(std::bit_cast<T>(word));
-    }
+    std::vector<T> values(checked(word()));
+    read({reinterpret_cast<Word*>(values.data()), values.size()});
     return values;
   }
-  bool at_end() const { return words_.empty(); }
+  bool at_end() const { return at_ == end_; }
+  Word left() const { return end_ - at_; }
 
- private:
-  std::span<const Word> take(Word count) {
-    require(count <= words_.size(), "its content is damaged");
-    const std::span<const Word> taken = words_.first(count);
-    words_ = words_.subspan(count);
-    return taken;
+  void read(std::span<Word> words) {
+    checked(words.size());
+    if (words.size() > buffered) {
+      file_.read_at(static_cast<std::int64_t>(8 * at_), std::as_writable_bytes(words));
+    } else {
+      if (at_ < first_ || at_ + words.size() > first_ + ahead_.size()) {
+        first_ = at_;
+        ahead_.resize(std::min<Word>(buffered, left()));
+        file_.read_at(static_cast<std::int64_t>(8 * first_),
+                      std::as_writable_bytes(std::span(ahead_)));
+      }
+      std::copy_n(ahead_.begin() + static_cast<std::ptrdiff_t>(at_ - first_), words.size(),
+                  words.begin());
+    }
+    at_ += words.size();
   }
 
-  std::span<const Word> words_;
+ private:
+  Word checked(Word count) const {
+    require(count <= left(), "its content is damaged");
+    return count;
+  }
+
+  const File& file_;
+  Word at_, end_;
+  Word first_ = 0;  // of what is read ahead
+  std::vector<Word> ahead_;
 };
 
 struct PutArray {
@@ -99,19 +150,26 @@ Archive::Array read_array(WordReader& from) {
   }
 }
 
-std::vector<Word> read_words(const File& file) {
-  const auto bytes = static_cast<std::size_t>(file.size());
-  std::vector<Word> words(bytes / 8);
-  file.read_at(0, std::as_writable_bytes(std::span(words)));
-  require(words.size() >= 2 && words[0] == mark, "it is not a checkpoint of lapilli");
-  require(words[1] == version, "it is of format ", words[1], ", this version reads format ",
-          version);
-  require(words.size() >= head_words && bytes % 8 == 0 && words[2] == words.size() - head_words,
+/// Where the content ends, in words; throws std::invalid_argument unless it is whole.
+Word checked_end(const File& file) {
+  const auto bytes = static_cast<Word>(file.size());
+  std::array<Word, head_words> head{};
+  const Word there = std::min<Word>(head_words, bytes / 8);
+  file.read_at(0, std::as_writable_bytes(std::span(head).first(there)));
+  require(there >= 2 && head[0] == mark, "it is not a checkpoint of lapilli");
+  require(head[1] == version, "it is of format ", head[1], ", this version reads format ", version);
+  require(there == head_words && bytes % 8 == 0 && head[2] == bytes / 8 - head_words,
           "it is cut short: ", bytes, " bytes of ",
-          words.size() < 3 ? 8 * head_words : 8 * (head_words + words[2]));
-  require(words[3] == checksum_of(std::span(words).subspan(head_words)),
-          "it is damaged: its checksum does not fit its content");
-  return words;
+          there < 3 ? 8 * head_words : 8 * (head_words + head[2]));
+  LongChecksum sum;
+  std::vector<Word> part(buffered);
+  for (WordReader from(file, head_words, bytes / 8); !from.at_end();) {
+    const std::span<Word> next = std::span(part).first(std::min<Word>(part.size(), from.left()));
+    from.read(next);
+    sum.add(next);
+  }
+  require(head[3] == sum.value(), "it is damaged: its checksum does not fit its content");
+  return bytes / 8;
 }
 
 Checkpoint parse(WordReader from) {
@@ -190,7 +248,10 @@ std::array<std::filesystem::path, 2> checkpoint_paths(const std::filesystem::pat
 }
 
 void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-  WordWriter content;
+  AtomicFile file(path);
+  std::array<Word, head_words> head = {mark, version, 0, 0};
+  file.append(std::as_bytes(std::span(head)));
+  WordWriter content(file);
   content.put(checkpoint.fingerprint);
   content.put(checkpoint.identity);
   content.put(checkpoint.state.arrays().size());
@@ -198,11 +259,9 @@ void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkp
     content.put(name);
     std::visit(PutArray{content}, array);
   }
-  const std::array<Word, head_words> head = {mark, version, content.words().size(),
-                                             checksum_of(content.words())};
-  AtomicFile file(path);
-  file.append(std::as_bytes(std::span(head)));
-  file.append(std::as_bytes(std::span(content.words())));
+  const LongChecksum& sum = content.finish();
+  head = {mark, version, sum.words(), sum.value()};
+  file.file().write_at(0, std::as_bytes(std::span(head)));
   keep_as_previous(path, head);
   file.commit();
 }
@@ -210,8 +269,7 @@ void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkp
 Checkpoint load_checkpoint(const std::filesystem::path& path) {
   const File file(path, File::Mode::read);
   try {
-    const std::vector<Word> words = read_words(file);
-    return parse(WordReader(std::span(words).subspan(head_words)));
+    return parse(WordReader(file, head_words, checked_end(file)));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(
         message("cannot use checkpoint '", path.string(), "': ", error.what()));

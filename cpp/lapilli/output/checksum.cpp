@@ -15,24 +15,48 @@ void Checksum::add(std::span<const std::byte> bytes) {
   }
 }
 
-std::uint64_t checksum_of(std::span<const std::uint64_t> words) {
-  constexpr std::size_t lanes = 4;
-  Checksum sums[lanes];
+void LongChecksum::add(std::span<const std::uint64_t> words) {
   std::size_t k = 0;
-  for (; k + lanes <= words.size(); k += lanes) {
+  const auto finish_round = [&] {
+    for (; k < words.size() && count_ % lanes != 0; ++k, ++count_) {
+      pending_[count_ % lanes] = words[k];
+    }
+    return count_ % lanes == 0;
+  };
+  if (count_ % lanes != 0) {
+    if (!finish_round()) {
+      return;
+    }
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      sums[lane].add(words[k + lane]);
+      sums_[lane].add(pending_[lane]);
     }
   }
+  for (; k + lanes <= words.size(); k += lanes, count_ += lanes) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      sums_[lane].add(words[k + lane]);
+    }
+  }
+  for (; k < words.size(); ++k, ++count_) {
+    pending_[count_ % lanes] = words[k];
+  }
+}
+
+std::uint64_t LongChecksum::value() const {
   Checksum all;
-  all.add(words.size());
-  for (const Checksum& sum : sums) {
+  all.add(count_);
+  for (const Checksum& sum : sums_) {
     all.add(sum.value());
   }
-  for (; k < words.size(); ++k) {
-    all.add(words[k]);
+  for (std::size_t lane = 0; lane < count_ % lanes; ++lane) {
+    all.add(pending_[lane]);
   }
   return all.value();
+}
+
+std::uint64_t checksum_of(std::span<const std::uint64_t> words) {
+  LongChecksum sum;
+  sum.add(words);
+  return sum.value();
 }
 
 std::string fingerprint(std::string_view text) {

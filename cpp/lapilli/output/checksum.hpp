@@ -20,7 +20,22 @@ class Checksum {
   std::uint64_t sum_ = 0xcbf29ce484222325u;
 };
 
-/// The sum of many words: four running sums side by side, as fast as memory delivers.
+/// The sum of many words, however they come: four running sums side by side, as fast as memory
+/// delivers.
+class LongChecksum {
+ public:
+  void add(std::span<const std::uint64_t> words);
+  std::uint64_t value() const;
+  std::uint64_t words() const { return count_; }
+
+ private:
+  static constexpr std::size_t lanes = 4;
+
+  Checksum sums_[lanes];
+  std::uint64_t pending_[lanes] = {};  // the first words of a round that is not whole
+  std::uint64_t count_ = 0;
+};
+
 std::uint64_t checksum_of(std::span<const std::uint64_t> words);
 
 /// 16 hexadecimal digits that stand for a text: scenes of the same text have the same fingerprint.

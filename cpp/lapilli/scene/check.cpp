@@ -27,7 +27,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // What is looked at by building it; beyond, by its bounds.
-constexpr double most_points = 2e6, most_memory = 1e9;  // bytes
+constexpr double most_points = 2e6, most_memory = 2e9;  // bytes
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();

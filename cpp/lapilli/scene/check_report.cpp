@@ -55,16 +55,20 @@ std::string text_of(const CheckReport& report) {
   }
   text += message("models        ", listed(report.modelled), "\n");
   text += message("not modelled  ", listed(report.not_modelled), "\n");
-  text += message("step          ", report.step, " s (", report.step_reason, "), limit ",
-                  report.hard_limit, " s, ", report.steps, " steps\n");
+  text += report.step > 0.0
+              ? message("step          ", report.step, " s (", report.step_reason, "), limit ",
+                        report.hard_limit, " s, ", report.steps, " steps\n")
+              : message("step          ", report.step_reason, "\n");
   text += stages_text(report);
   text += message("memory        about ", readable_bytes(report.memory),
                   report.output > 0.0
                       ? message(", and ", readable_bytes(report.output), " of frames on disk")
                       : "",
                   "\n");
-  text += message("time          about ", readable_time(report.seconds_to_run), ", and ",
-                  readable_time(report.seconds_to_build), " to build\n");
+  if (report.step > 0.0) {
+    text += message("time          about ", readable_time(report.seconds_to_run), ", and ",
+                    readable_time(report.seconds_to_build), " to build\n");
+  }
   for (const std::string& note : report.notes) {
     text += message("note          ", note, "\n");
   }

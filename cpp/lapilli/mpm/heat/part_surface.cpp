@@ -13,6 +13,11 @@ namespace {
 // Both sides of a contact have their own layer, thin, and exchange does not pass it.
 constexpr double thin_of_contact = 1.0 / 300.0;  // cells
 
+// What a layer takes from the order of temperatures beside it shows where Kirchhoff's slab is
+// curved: order 1.71 from 20 to 40 cells, 1.81 with a layer of this share, which locks by 2 % in a
+// square at 45 degrees 7 cells across and .3 % at 14, the whole by 0.1 %.
+constexpr double share_of_nonlinear = 0.3;
+
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 /// Numbers things as they are met.
@@ -48,7 +53,7 @@ HoldLayer layer_of(const HeatProblem<Dim>& problem, std::size_t law,
   const HoldLayer layer;
   const HeatBoundary& one = problem.settings.boundaries[law];
   if (is_nonlinear(problem)) {  // one system over all parts: one answer for all
-    return {layer.thickness, passes_layer(one, 0.0)};
+    return {share_of_nonlinear * layer.thickness, passes_layer(one, 0.0)};
   }
   return {layer.thickness, passes_layer(one, least / (layer.thickness * problem.grid.cell_size()))};
 }
