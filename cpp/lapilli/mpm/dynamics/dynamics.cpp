@@ -7,6 +7,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/bounds.hpp"
 #include "lapilli/mpm/dynamics/damp_nodes.hpp"
+#include "lapilli/mpm/dynamics/early_stops.hpp"
 #include "lapilli/mpm/dynamics/go_on.hpp"
 #include "lapilli/mpm/dynamics/point_kernel.hpp"
 #include "lapilli/mpm/dynamics/project_to_grid.hpp"
@@ -22,6 +23,8 @@ Dynamics<Dim>::Dynamics(Points& points, const DynamicsProblem<Dim>& problem)
   start_affine(problem);
   if (problem.start && problem.start->state) {
     go_on(*problem.start, data_);
+  } else {
+    early_stops_ = early_stops(data_, problem.bodies);
   }
   data_.order.update(points);
   if (problem.bodies.size() > 1 || !problem.settings.contacts.empty()) {

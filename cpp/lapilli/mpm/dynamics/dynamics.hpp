@@ -109,6 +109,7 @@ class Dynamics final : public Physics,
   std::unique_ptr<Obstacles<Dim>> obstacles_;    // null without any
   std::unique_ptr<BodyContacts<Dim>> contacts_;  // null where all bodies are one
   std::vector<std::string> described_contacts_;
+  std::vector<std::string> early_stops_;  // of bodies that start anew
   Flows flows_;
   Removed removed_;
   EnergyWatch watch_;

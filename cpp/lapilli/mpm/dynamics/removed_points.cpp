@@ -99,6 +99,7 @@ std::vector<std::string> Dynamics<Dim>::warnings() const {
         "grid.shape_function bspline damps what vibrates, by a quarter of its energy in a hundred "
         "periods; gimp does not");
   }
+  all.insert(all.end(), early_stops_.begin(), early_stops_.end());
   if (loads_) {
     const std::vector<std::string> lost = loads_->warnings();
     all.insert(all.end(), lost.begin(), lost.end());

@@ -43,8 +43,7 @@ void BodyContacts<Dim>::improve(const double* mass, double* const (&velocity)[Di
     const Impulse old = impulse;
     impulse.push = std::max(0.0, old.push + m * (bound - normal));
     impulse.drag -= m * (apart - normal * node.normal);
-    const double grip = impulse.push > 0.0 ? law.adhesion * node.area * step : 0.0;
-    const double limit = law.friction * impulse.push + grip, drag = impulse.drag.norm();
+    const double limit = most_drag(law, node, impulse, step), drag = impulse.drag.norm();
     if (drag > limit) {
       impulse.drag *= limit / drag;
     }
@@ -100,7 +99,7 @@ void BodyContacts<Dim>::push_second(DynamicsData<Dim>& data, double step) {
     const ContactLaw& law = groups_.laws[pair];
     for (const SharedNode<Dim>& node : shared_.of(pair)) {
       const Impulse& impulse = impulses_[&node - shared_.all().data()];
-      if (impulse.push == 0.0) {
+      if (!impulse.acts()) {
         continue;
       }
       Vec<Dim> apart;
@@ -108,10 +107,13 @@ void BodyContacts<Dim>::push_second(DynamicsData<Dim>& data, double step) {
         const double* velocity = data.nodes.second_velocity(axis);
         apart[axis] = velocity[node.second] - velocity[node.first];
       }
-      const double limit = law.friction * impulse.push + law.adhesion * node.area * step;
+      const double limit = most_drag(law, node, impulse, step);
       const bool holds = impulse.drag.norm() < (1.0 - 1e-9) * limit;
       const double across = apart.dot(node.normal);
-      Vec<Dim> change = -(std::max(0.0, node.gap) / step + across) * node.normal;
+      Vec<Dim> change = Vec<Dim>::Zero();
+      if (impulse.push > 0.0) {
+        change = -(std::max(0.0, node.gap) / step + across) * node.normal;
+      }
       if (holds) {
         change -= apart - across * node.normal;
       }
@@ -136,7 +138,7 @@ void BodyContacts<Dim>::book(DynamicsData<Dim>& data, double step, NodeSums& sum
     force_[pair].setZero();
     for (const SharedNode<Dim>& node : nodes) {
       const Impulse& impulse = impulses_[&node - all.data()];
-      if (impulse.push == 0.0) {
+      if (!impulse.acts()) {
         continue;
       }
       touching_ += 1.0;

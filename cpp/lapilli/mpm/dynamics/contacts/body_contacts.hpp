@@ -39,7 +39,16 @@ class BodyContacts {
   struct Impulse {
     double push = 0.0;                 // N s, along the normal
     Vec<Dim> drag = Vec<Dim>::Zero();  // N s, along the surface
+
+    bool acts() const { return push > 0.0 || !drag.isZero(0.0); }
   };
+
+  /// What friction and adhesion bear at a node, N s.
+  static double most_drag(const ContactLaw& law, const SharedNode<Dim>& node,
+                          const Impulse& impulse, double step) {
+    const bool grips = impulse.push > 0.0 || node.touches;
+    return law.friction * impulse.push + (grips ? law.adhesion * node.area * step : 0.0);
+  }
 
   void improve(const double* mass, double* const (&velocity)[Dim], double step, std::size_t pair,
                std::vector<Impulse>& all);

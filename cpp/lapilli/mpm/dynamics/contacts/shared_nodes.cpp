@@ -228,6 +228,9 @@ std::vector<Vec<Dim>> SharedNodes<Dim>::normals_of(const NodeNeighbours<Dim>& ne
   return normals;
 }
 
+/// A gap of so many cells is none: what rests swings by its own weight.
+constexpr double nothing = 0.05;
+
 template <int Dim>
 void SharedNodes<Dim>::measure(const DynamicsData<Dim>& data, std::pair<int, int> fields,
                                std::span<SharedNode<Dim>> nodes) {
@@ -258,7 +261,8 @@ void SharedNodes<Dim>::measure(const DynamicsData<Dim>& data, std::pair<int, int
     const double reach_a = depth_a(moment_a.dot(node.normal) / (a[0] * h));
     const double reach_b = depth_b(-moment_b.dot(node.normal) / (b[0] * h));
     node.weight = a[0] * b[0] / (a[0] + b[0]);
-    node.area = 0.5 * std::abs((grad_a - grad_b).dot(node.normal));
+    // Alike where faces lie on each other; beyond the end of one there is the other's alone.
+    node.area = std::min(std::abs(grad_a.dot(node.normal)), std::abs(grad_b.dot(node.normal)));
     weighed[k] = node.weight * Vec<2>(-h * (reach_a + reach_b), 1.0);
   });
   // Smooth, and add the smoothed rest: a mean alone lies off a curved surface.
@@ -267,6 +271,7 @@ void SharedNodes<Dim>::measure(const DynamicsData<Dim>& data, std::pair<int, int
     parallel_for(count, [&](Index k) {
       const double mean = means[k][0] / means[k][1];
       nodes[k].gap += mean;
+      nodes[k].touches = nodes[k].gap <= nothing * h;
       weighed[k][0] -= weighed[k][1] * mean;
     });
   }

@@ -126,6 +126,9 @@ bool ObstacleContacts<Dim>::place_on_nodes(const DynamicsData<Dim>& data, const 
   return sum > least_sum;
 }
 
+/// A gap of so many cells is none: what rests swings by its own weight.
+constexpr double nothing = 0.05;
+
 template <int Dim>
 Contact<Dim> ObstacleContacts<Dim>::contact_at(const DynamicsData<Dim>& data, Index row,
                                                const Vec3& x, double gap, double step) const {
@@ -139,7 +142,9 @@ Contact<Dim> ObstacleContacts<Dim>::contact_at(const DynamicsData<Dim>& data, In
   contact.wall = motion_.velocity(foot).template head<Dim>();
   contact.bound = -std::max(0.0, gap - skin) / step;
   contact.share = 1.0 - std::exp(-step / lags_[data.points.body()[row]]);
-  contact.grip = gap <= skin ? obstacle_.adhesion * std::pow(2.0 * skin, Dim - 1) * step : 0.0;
+  const double face = std::as_const(data.points).volume()[row] / (2.0 * skin);  // m^(Dim-1)
+  const bool touches = gap <= skin + nothing * data.grid.cell_size();
+  contact.grip = touches ? obstacle_.adhesion * face * step : 0.0;
   return contact;
 }
 
