@@ -2815,6 +2815,8 @@ class QuasiStatic:
         points take the mean dilatation of their cell, so that it does not lock; absent: those of a Poisson ratio above 0.4
     max_penetration : float, cells, default 0.5
         a point further behind a wall fails the load step; above 0 (cells)
+    gravity : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], m/s^2, default ()
+        acts on the density of every body, one value an axis; empty: none
     body_force : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], N/m^3, default ()
         force per volume, one value an axis
     tolerance : float, default 1e-10
@@ -2834,7 +2836,7 @@ class QuasiStatic:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, enforcement: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'] = ..., bandwidth: float | None = ..., gap_bandwidth: float | None = ..., ghost_penalty: float | None = ..., hold_empty_cells: bool = ..., reset: float | None = ..., relaxation: float | None = ..., update_volumes: bool | None | str = ..., b_bar: bool | None | str = ..., max_penetration: float = ..., body_force: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., tolerance: float = ..., max_iterations: int = ..., max_cutbacks: int = ..., supports: list[Support] = ..., tractions: list[SurfaceTraction] = ...) -> None:
+    def __init__(self, *, enforcement: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'] = ..., bandwidth: float | None = ..., gap_bandwidth: float | None = ..., ghost_penalty: float | None = ..., hold_empty_cells: bool = ..., reset: float | None = ..., relaxation: float | None = ..., update_volumes: bool | None | str = ..., b_bar: bool | None | str = ..., max_penetration: float = ..., gravity: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., body_force: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., tolerance: float = ..., max_iterations: int = ..., max_cutbacks: int = ..., supports: list[Support] = ..., tractions: list[SurfaceTraction] = ...) -> None:
         ...
     def __repr__(self) -> str:
         ...
@@ -2889,6 +2891,14 @@ class QuasiStatic:
         """
     @ghost_penalty.setter
     def ghost_penalty(self, value: float | None) -> None:
+        ...
+    @property
+    def gravity(self) -> collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]:
+        """
+        acts on the density of every body, one value an axis; empty: none, m/s^2
+        """
+    @gravity.setter
+    def gravity(self, value: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]) -> None:
         ...
     @property
     def hold_empty_cells(self) -> bool:

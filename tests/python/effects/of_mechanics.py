@@ -99,6 +99,7 @@ EFFECTS: dict[str, Effect] = {
     "QuasiStatic.ghost_penalty": Effect(
         P, "quasi_static.ghost_penalty", 0.01, 0.5, DISPLACEMENT, "!="
     ),
+    "QuasiStatic.gravity": Effect(P, "quasi_static.gravity", (0, 0), (0, -10), DISPLACEMENT, "!="),
     "QuasiStatic.body_force": Effect(
         P, "quasi_static.body_force", (0, 0), (0, -1e4), DISPLACEMENT, "!="
     ),

@@ -41,7 +41,8 @@ RARELY = {
     "PeridynamicFlow.viscous_step": "sound may bound the step",
     "PeridynamicHeat.step_factor": "the flow may bound the step",
     **dict.fromkeys(
-        (key for key in EFFECTS if key.endswith(".density")), "required; nothing falls in statics"
+        (key for key in EFFECTS if key.endswith(".density")),
+        "required; nothing weighs in statics without gravity",
     ),
 }
 

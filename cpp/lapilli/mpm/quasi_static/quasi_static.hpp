@@ -64,8 +64,12 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   bool is_reset_due() const;
   void reset_grid(double time);
   Loads<Dim> collect_loads(double to) const;
+  /// Of places whose material has these densities (kg/m^3), N/m^3.
+  std::vector<Vec<Dim>> weight_at(const std::vector<Vec3>& places,
+                                  const std::vector<double>& densities, double time) const;
   void split_body_force(Loads<Dim>& loads) const;
   double cell_mean_share(const Facet<Dim>& facet, Index& cell) const;
+  std::vector<double> cell_densities() const;
   void add_hydrostatic(double to, Loads<Dim>& loads) const;
   void find_skin();
   Equilibrium<Dim> equilibrium_under(const Loads<Dim>& loads);

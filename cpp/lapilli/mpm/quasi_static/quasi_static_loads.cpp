@@ -24,12 +24,14 @@ Loads<Dim> QuasiStatic<Dim>::collect_loads(double to) const {
   if (ghost_ > 0.0) {
     loads.ghost_pairs = ghost_pairs<Dim>(grid_, *reference_.state, reference_.facets);
   }
-  if (!settings_.body_force.empty()) {
+  if (settings_.has_weight()) {
     std::vector<Vec3> places(points_.size(), Vec3::Zero());
+    std::vector<double> densities(places.size());
     for (Index p = 0; p < points_.size(); ++p) {
       places[p].template head<Dim>() = points_.position<Dim>(p);
+      densities[p] = solids_.elastic(points_.body()[p]).density;
     }
-    loads.body_force = values_at<Dim>(settings_.body_force, places, to);
+    loads.body_force = weight_at(places, densities, to);
     for (Index p = 0; p < points_.size(); ++p) {
       loads.body_force[p] *= start_volume_[p] / reference_.volume[p];
     }
@@ -40,6 +42,20 @@ Loads<Dim> QuasiStatic<Dim>::collect_loads(double to) const {
   }
   loads.surface_forces = boundary_.surface_forces(reference_.loaded, to);
   return loads;
+}
+
+template <int Dim>
+std::vector<Vec<Dim>> QuasiStatic<Dim>::weight_at(const std::vector<Vec3>& places,
+                                                  const std::vector<double>& densities,
+                                                  double time) const {
+  std::vector<Vec<Dim>> weight = values_at<Dim>(settings_.body_force, places, time);
+  if (!settings_.gravity.empty()) {
+    const std::vector<Vec<Dim>> gravity = values_at<Dim>(settings_.gravity, places, time);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      weight[k] += densities[k] * gravity[k];
+    }
+  }
+  return weight;
 }
 
 /// Nearly incompressible bodies hardly move under the even part of a body force where they are
@@ -108,10 +124,26 @@ double QuasiStatic<Dim>::cell_mean_share(const Facet<Dim>& facet, Index& cell) c
   return occupied ? reference_.scheme.consistency : 0.0;
 }
 
+/// Of the material in every cell, kg/m^3; 0 in those without.
+template <int Dim>
+std::vector<double> QuasiStatic<Dim>::cell_densities() const {
+  std::vector<double> mass(static_cast<std::size_t>(grid_.cell_count()), 0.0), volume(mass);
+  for (Index p = 0; p < points_.size(); ++p) {
+    const Index cell = grid_.cell_index(grid_.cell_containing(points_.position<Dim>(p)));
+    mass[cell] += reference_.volume[p] * solids_.elastic(points_.body()[p]).density;
+    volume[cell] += reference_.volume[p];
+  }
+  for (std::size_t cell = 0; cell < mass.size(); ++cell) {
+    mass[cell] = volume[cell] > 0.0 ? mass[cell] / volume[cell] : 0.0;
+  }
+  return mass;
+}
+
 /// The pressure of a nearly incompressible cell rises linearly under a body force, which its mean
 /// does not say: walls carry that part as they do the mean.
 template <int Dim>
 void QuasiStatic<Dim>::add_hydrostatic(double to, Loads<Dim>& loads) const {
+  const std::vector<double> densities = cell_densities();
   for (std::size_t f = 0; f < reference_.facets.size(); ++f) {
     const Facet<Dim>& facet = reference_.facets[f];
     Index cell = 0;
@@ -124,7 +156,8 @@ void QuasiStatic<Dim>::add_hydrostatic(double to, Loads<Dim>& loads) const {
     for (std::size_t q = 0; q < facet.points.size(); ++q) {
       places[q].template head<Dim>() = facet.points[q].position;
     }
-    const std::vector<Vec<Dim>> force = values_at<Dim>(settings_.body_force, places, to);
+    const std::vector<Vec<Dim>> force =
+        weight_at(places, std::vector<double>(places.size(), densities[cell]), to);
     for (std::size_t q = 0; q < facet.points.size(); ++q) {
       const SurfacePoint<Dim>& point = facet.points[q];
       const Vec<Dim> area = point.weight * point.normal;

@@ -64,6 +64,8 @@ void QuasiStatic<Dim>::choose_schemes() {
   require(reset_ >= 0.0, "quasi_static: reset must not be negative, got ", *settings_.reset);
   require(settings_.body_force.size() <= Dim, "quasi_static: body_force has ",
           settings_.body_force.size(), " values, the scene has ", Dim, " axes");
+  require(settings_.gravity.size() <= Dim, "quasi_static: gravity has ", settings_.gravity.size(),
+          " values, the scene has ", Dim, " axes");
   for (Index body = 0; body < static_cast<Index>(solids_.elastic().size()); ++body) {
     const bool locks = solids_.can_yield(body) || solids_.elastic(body).poissons_ratio > locking;
     averaged_.push_back(settings_.b_bar.value_or(locks && !literal));
@@ -88,7 +90,7 @@ void QuasiStatic<Dim>::choose_stiffness(bool moved_far) {
 template <int Dim>
 void QuasiStatic<Dim>::find_skin() {
   const auto is_set = [](char one) { return one != 0; };
-  if (settings_.body_force.empty() || std::none_of(averaged_.begin(), averaged_.end(), is_set)) {
+  if (!settings_.has_weight() || std::none_of(averaged_.begin(), averaged_.end(), is_set)) {
     return;
   }
   std::vector<double> volume(averaged_.size(), 0.0);

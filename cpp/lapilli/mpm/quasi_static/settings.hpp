@@ -120,10 +120,12 @@ struct QuasiStaticSettings {
   std::optional<bool> update_volumes;  // volumes follow the strain; literal: they stay
   std::optional<bool> b_bar;           // the dilatation of a cell is the mean over its points
   double max_penetration = 0.5;        // cells; a point further behind a wall fails the load step
+  std::vector<Value> gravity;          // m/s^2, one value an axis; empty: none
   std::vector<Value> body_force;       // N/m^3, one value an axis
-  double tolerance = 1e-10;            // of the out-of-balance force, relative
-  int max_iterations = 12;             // of Newton's method in one load step
-  int max_cutbacks = 6;                // of a load step that fails
+  bool has_weight() const { return !gravity.empty() || !body_force.empty(); }
+  double tolerance = 1e-10;  // of the out-of-balance force, relative
+  int max_iterations = 12;   // of Newton's method in one load step
+  int max_cutbacks = 6;      // of a load step that fails
   std::vector<SupportSettings> supports;
   std::vector<TractionSettings> tractions;
 
@@ -174,6 +176,9 @@ struct QuasiStaticSettings {
               .positive()
               .text("a point further behind a wall fails the load step"),
           self.max_penetration);
+    visit(Key("gravity").unit("m/s^2").length(0, 3).text(
+              "acts on the density of every body, one value an axis; empty: none"),
+          self.gravity);
     visit(Key("body_force").unit("N/m^3").length(0, 3).text("force per volume, one value an axis"),
           self.body_force);
     visit(Key("tolerance").range(0.0, 1e-2, true).text("of the out-of-balance force, relative"),
