@@ -33,12 +33,11 @@ class BoundaryConditions {
     std::vector<double> area;  // m^(dim-1); signed for a prescribed flux, else non-negative
     std::vector<Vec<Dim>> normal;
     std::vector<Vec3> position;  // on the surface, m
-    std::vector<double> state;   // K, at the node, or at its probe
+    std::vector<double> state;   // K, at the node, or at the probe of a held temperature
     std::vector<double> rate;    // W
     std::vector<double> slope;   // W/K, not negative
-    // Held temperatures and strong exchange, which act through the outermost cell of the body:
-    std::vector<double> layer;                    // conductivity / probe depth, W/(m^2 K)
-    std::vector<double> conductance;              // from the surroundings to the probe, W/(m^2 K)
+    // Held temperatures only:
+    std::vector<double> conductance;              // conductivity / probe depth, W/(m^2 K)
     std::vector<std::pair<Index, double>> probe;  // 2^dim nodes and weights an entry
   };
 
@@ -46,8 +45,7 @@ class BoundaryConditions {
   explicit BoundaryConditions(const std::vector<HeatBoundary>& laws, double absolute_zero = 0.0);
 
   bool empty() const { return laws_.empty(); }
-  bool may_have_probes() const;  // of those that place_probes chooses
-  bool has_probes() const;
+  bool has_held_temperature() const;
   bool has_radiation() const;
   bool is_linear() const;           // no radiation, no callable
   bool has_constant_slope() const;  // besides, no coefficient tabulated in time
@@ -61,11 +59,8 @@ class BoundaryConditions {
   /// what shapes have, by law.
   void compare_areas(AreaRatios ratios) { ratios_ = std::move(ratios); }
   const AreaRatios& area_ratios() const { return ratios_; }
-  /// Place the probes of held temperatures and strong convection, one cell below the surface, among
-  /// the nodes that are active: a thin plate has fewer there. `conductivity` is the nodal n.k.n
-  /// (W/(m K)). A law that acted on the nodes of the band themselves would hold them all, the
-  /// stronger the more: a disk six cells in radius took up 24 % too much heat at a Biot number of
-  /// 300.
+  /// Place the probes of held temperatures, one cell below the surface, among the nodes that are
+  /// active: a thin plate has fewer there. `conductivity` is the nodal n.k.n (W/(m K)).
   void place_probes(const Grid<Dim>& grid, const std::function<bool(Index)>& is_active,
                     const std::function<double(Index, const Vec<Dim>&)>& conductivity);
 
@@ -95,7 +90,7 @@ class BoundaryConditions {
   /// Add to a law's account. `heat` was supplied (J).
   void book(std::size_t law, double heat) { account_.book(law, heat); }
 
-  /// How laws with probes tie nodes to the corners of their probes; the node itself, which a step
+  /// How held temperatures tie nodes to the corners of their probes; the node itself, which a step
   /// takes implicitly, is left out.
   std::vector<NodeCoupling> couplings() const;
 
@@ -110,8 +105,7 @@ class BoundaryConditions {
   void evaluate_flux(const Flux& law, Nodes& nodes);
   void evaluate_convection(const Convection& law, Nodes& nodes);
   void evaluate_radiation(const Radiation& law, Nodes& nodes);
-  /// Rates through the outermost cell, with `second_` as what is beyond.
-  void evaluate_at_probes(Nodes& nodes);
+  void evaluate_held(Nodes& nodes);
   /// Fill with a value's means over the span of time, or its values where that is an instant.
   void fill(const Value& value, const Nodes& nodes, std::vector<double>& values) const;
   /// As fill, the mean of a power weighted by the value before: of coefficient ambient^power.

@@ -11,8 +11,9 @@ template <int Dim>
 void BoundaryConditions<Dim>::read_states(std::size_t law, std::span<const double> temperature) {
   constexpr std::size_t corners = 1 << Dim;
   Nodes& n = nodes_[law];
+  const bool held = std::holds_alternative<PrescribedTemperature>(laws_[law]);
   for (std::size_t k = 0; k < n.node.size(); ++k) {
-    if (n.probe.empty()) {
+    if (!held) {
       n.state[k] = temperature[n.node[k]];
       continue;
     }
@@ -74,7 +75,7 @@ void BoundaryConditions<Dim>::evaluate_between(std::span<const double> temperatu
       evaluate_radiation(*radiation, n);
     } else {
       fill(std::get<PrescribedTemperature>(laws_[law]).value, n, second_);
-      evaluate_at_probes(n);
+      evaluate_held(n);
     }
     if (absolute && !std::holds_alternative<Flux>(laws_[law])) {
       require_absolute(law, second_);
@@ -112,13 +113,6 @@ template <int Dim>
 void BoundaryConditions<Dim>::evaluate_convection(const Convection& law, Nodes& n) {
   fill(law.coefficient, n, first_);
   fill_ambient(law.coefficient, law.ambient, 1, n, second_);
-  if (!n.probe.empty()) {
-    for (std::size_t k = 0; k < n.rate.size(); ++k) {
-      n.conductance[k] = n.layer[k] > 0.0 ? first_[k] / (1.0 + first_[k] / n.layer[k]) : 0.0;
-    }
-    evaluate_at_probes(n);
-    return;
-  }
   for (std::size_t k = 0; k < n.rate.size(); ++k) {
     n.slope[k] = n.area[k] * first_[k];
     n.rate[k] = n.slope[k] * (second_[k] - n.state[k]);
@@ -139,7 +133,7 @@ void BoundaryConditions<Dim>::evaluate_radiation(const Radiation& law, Nodes& n)
 }
 
 template <int Dim>
-void BoundaryConditions<Dim>::evaluate_at_probes(Nodes& n) {
+void BoundaryConditions<Dim>::evaluate_held(Nodes& n) {
   constexpr std::size_t corners = 1 << Dim;
   for (std::size_t k = 0; k < n.rate.size(); ++k) {
     const double conductance = n.area[k] * n.conductance[k];

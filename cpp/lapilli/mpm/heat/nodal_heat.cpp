@@ -88,7 +88,7 @@ void NodalHeat<Dim>::assemble() {
       return surface_places<Dim>(grid, points_, problem_.shape, coefficients_.half_width, areas);
     });
     laws_.require_all_used();
-    if (laws_.may_have_probes()) {
+    if (laws_.has_held_temperature()) {
       const auto is_active = [&](Index node) { return operators.active[node] != 0; };
       laws_.place_probes(grid, is_active,
                          nodal_conductivity(points_, problem_, coefficients_, sums));

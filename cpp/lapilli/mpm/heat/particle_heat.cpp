@@ -180,7 +180,7 @@ void ParticleHeat<Dim>::find_surface() {
     return surface_places<Dim>(problem_.grid, points_, problem_.shape, coefficients_.half_width,
                                areas);
   });
-  if (laws_.may_have_probes()) {
+  if (laws_.has_held_temperature()) {
     const auto is_active = [&](Index node) { return grid_.capacity[node] > 0.0; };
     laws_.place_probes(problem_.grid, is_active,
                        nodal_conductivity(points_, problem_, coefficients_, grid_.sums));

@@ -81,7 +81,6 @@ void ThetaSolver<Dim>::prepare(double scale, const BoundaryConditions<Dim>& laws
   std::vector<double> slopes;
   for (const auto& nodes : laws.nodes()) {
     slopes.insert(slopes.end(), nodes.slope.begin(), nodes.slope.end());
-    slopes.insert(slopes.end(), nodes.conductance.begin(), nodes.conductance.end());
   }
   if (scale == scale_ && slopes == slopes_) {
     return;
@@ -91,7 +90,7 @@ void ThetaSolver<Dim>::prepare(double scale, const BoundaryConditions<Dim>& laws
   for (std::size_t k = 0; k < place_.size(); ++k) {
     triplets.emplace_back(static_cast<int>(k), static_cast<int>(k), lumped_[place_[k]]);
   }
-  backend_->symmetric = !laws.has_probes();
+  backend_->symmetric = !laws.has_held_temperature();
   const std::size_t count = triplets.size();
   for (std::size_t k = 0; k < count; ++k) {
     if (triplets[k].row() != triplets[k].col()) {
