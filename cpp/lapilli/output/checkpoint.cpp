@@ -52,13 +52,17 @@ class WordWriter {
 
  private:
   void put_words(std::span<const Word> words) {
+    if (words.empty()) {
+      return;
+    }
     sum_.add(words);
     if (words.size() > buffered) {
       flush();
       file_.append(std::as_bytes(words));
       return;
     }
-    waiting_.insert(waiting_.end(), words.begin(), words.end());
+    waiting_.resize(waiting_.size() + words.size());
+    std::memcpy(waiting_.data() + waiting_.size() - words.size(), words.data(), 8 * words.size());
     if (waiting_.size() > buffered) {
       flush();
     }
@@ -103,6 +107,9 @@ class WordReader {
 
   void read(std::span<Word> words) {
     checked(words.size());
+    if (words.empty()) {
+      return;
+    }
     if (words.size() > buffered) {
       file_.read_at(static_cast<std::int64_t>(8 * at_), std::as_writable_bytes(words));
     } else {
@@ -112,8 +119,7 @@ class WordReader {
         file_.read_at(static_cast<std::int64_t>(8 * first_),
                       std::as_writable_bytes(std::span(ahead_)));
       }
-      std::copy_n(ahead_.begin() + static_cast<std::ptrdiff_t>(at_ - first_), words.size(),
-                  words.begin());
+      std::memcpy(words.data(), ahead_.data() + (at_ - first_), 8 * words.size());
     }
     at_ += words.size();
   }

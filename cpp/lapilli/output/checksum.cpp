@@ -15,30 +15,31 @@ void Checksum::add(std::span<const std::byte> bytes) {
   }
 }
 
+// The words may be numbers of another kind: read as bytes.
 void LongChecksum::add(std::span<const std::uint64_t> words) {
   std::size_t k = 0;
-  const auto finish_round = [&] {
-    for (; k < words.size() && count_ % lanes != 0; ++k, ++count_) {
-      pending_[count_ % lanes] = words[k];
-    }
-    return count_ % lanes == 0;
+  const auto next = [&] {
+    std::uint64_t word = 0;
+    std::memcpy(&word, words.data() + k++, sizeof word);
+    return word;
   };
-  if (count_ % lanes != 0) {
-    if (!finish_round()) {
-      return;
+  const auto wait = [&] {
+    while (k < words.size() && (count_ % lanes != 0 || words.size() - k < lanes)) {
+      pending_[count_++ % lanes] = next();
+      if (count_ % lanes == 0) {
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+          sums_[lane].add(pending_[lane]);
+        }
+      }
     }
+  };
+  wait();
+  for (; k + lanes <= words.size(); count_ += lanes) {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      sums_[lane].add(pending_[lane]);
+      sums_[lane].add(next());
     }
   }
-  for (; k + lanes <= words.size(); k += lanes, count_ += lanes) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      sums_[lane].add(words[k + lane]);
-    }
-  }
-  for (; k < words.size(); ++k, ++count_) {
-    pending_[count_ % lanes] = words[k];
-  }
+  wait();
 }
 
 std::uint64_t LongChecksum::value() const {

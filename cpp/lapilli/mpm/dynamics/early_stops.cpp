@@ -38,7 +38,7 @@ std::vector<std::string> early_stops(const DynamicsData<Dim>& data,
       if (data.walls[2 * axis + (upper ? 1 : 0)].is_open()) {
         continue;
       }
-      const double pull = gravity.empty() ? 0.0 : gravity[axis];
+      const double pull = static_cast<std::size_t>(axis) < gravity.size() ? gravity[axis] : 0.0;
       const bool below = std::any_of(gravity.begin(), gravity.end(),
                                      [&](double other) { return std::abs(other) > std::abs(pull); })
                              ? false
