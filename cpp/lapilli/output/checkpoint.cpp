@@ -36,11 +36,9 @@ class WordWriter {
     std::memcpy(words.data(), characters.data(), characters.size());
     put_words(words);
   }
-  void put(const std::vector<double>& values) {
-    put(values.size());
-    put_words({reinterpret_cast<const Word*>(values.data()), values.size()});
-  }
-  void put(const std::vector<Index>& values) {
+  template <class T>
+  void put(const std::vector<T>& values) {
+    static_assert(sizeof(T) == sizeof(Word));
     put(values.size());
     put_words({reinterpret_cast<const Word*>(values.data()), values.size()});
   }

@@ -36,6 +36,7 @@ class LongChecksum {
   std::uint64_t count_ = 0;
 };
 
+/// That of words which are all there.
 std::uint64_t checksum_of(std::span<const std::uint64_t> words);
 
 /// 16 hexadecimal digits that stand for a text: scenes of the same text have the same fingerprint.

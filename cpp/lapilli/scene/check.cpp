@@ -15,6 +15,7 @@
 #include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
 #include "lapilli/scene/check_stages.hpp"
+#include "lapilli/scene/common_motion.hpp"
 #include "lapilli/scene/memory.hpp"
 #include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/run_scene.hpp"
@@ -242,11 +243,7 @@ void describe_physics(const Scene& scene, CheckReport& report) {
   describe_heat(scene, report);
   describe_quasi_static(scene, report);
   describe_dynamics(scene, report);
-  bool moving = false;
-  for (const Body& body : scene.bodies) {
-    moving |= body.motion.has_value();
-  }
-  (moving ? report.modelled : report.not_modelled).push_back("prescribed rigid motion");
+  (has_motion(scene) ? report.modelled : report.not_modelled).push_back("prescribed rigid motion");
   if (!scene.quasi_static && !scene.dynamics) {
     report.not_modelled.push_back("deformation");
   }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "lapilli/mpm/heat/asks_for_points.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/common_motion.hpp"
+#include "lapilli/scene/validate_heat.hpp"
 
 namespace lapilli {
 
@@ -29,10 +29,9 @@ bool without_normals(const Scene& scene) {
 bool is_always_explicit(const Scene& scene) {
   const bool varies = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) {
     const auto* thermal = material_in<Thermal>(body);
-    return !body.shape || (thermal != nullptr && thermal->varies());
+    return thermal != nullptr && thermal->varies();
   });
-  return varies || !scene.heat->contacts.empty() || asks_for_points(*scene.heat) ||
-         (has_moving_points(scene) && !common_motion(scene));
+  return varies || !scene.heat->contacts.empty() || is_heat_of_points(scene);
 }
 bool without_adaptive_steps(const Scene& scene) {
   return scene.heat->time_integration != TimeIntegration::automatic || scene.time.step ||
@@ -47,18 +46,25 @@ bool without_gravity(const Scene& scene) {
 bool without_turning(const Obstacle& obstacle) {
   return !obstacle.mass && obstacle.revolutions_per_second == 0.0;
 }
+bool points_are_given(const Scene& scene, std::size_t k) { return !scene.bodies[k].shape; }
 bool without_frames(const Scene& scene) { return scene.output.path.empty(); }
+bool without_flow(const Scene& scene) { return !scene.peridynamics->flow; }
 bool without_supports(const Scene& scene) { return scene.quasi_static->supports.empty(); }
 const PeridynamicFlowSettings& flow_of(const Scene& scene) { return *scene.peridynamics->flow; }
+bool has_sound_speed(const Scene& scene) { return flow_of(scene).sound_speed > 0.0; }
+
+/// A condition on the scene alone, whichever element a setting belongs to.
+template <bool (*holds)(const Scene&)>
+bool whole(const Scene& scene, std::size_t) {
+  return holds(scene);
+}
 
 constexpr IdleRule rules[] = {
     {"grid.shape_function",
      [](const Scene& scene, std::size_t) { return scene.peridynamics.has_value(); },
      "peridynamics uses no shape functions"},
-    {"bodies[].temperature", [](const Scene& scene, std::size_t) { return without_heat(scene); },
-     "the scene has no heat"},
-    {"bodies[].source", [](const Scene& scene, std::size_t) { return without_heat(scene); },
-     "the scene has no heat"},
+    {"bodies[].temperature", whole<without_heat>, "the scene has no heat"},
+    {"bodies[].source", whole<without_heat>, "the scene has no heat"},
     {"bodies[].velocity",
      [](const Scene& scene, std::size_t) {
        return scene.peridynamics && !scene.peridynamics->flow;
@@ -77,13 +83,9 @@ constexpr IdleRule rules[] = {
        return scene.bodies[k].rotation == 0.0 || dimension_of(scene) < 3;
      },
      "no body is rotated about an axis here"},
-    {"bodies[].points_per_cell",
-     [](const Scene& scene, std::size_t k) { return !scene.bodies[k].shape; },
-     "the points are given"},
-    {"bodies[].jitter", [](const Scene& scene, std::size_t k) { return !scene.bodies[k].shape; },
-     "the points are given"},
-    {"bodies[].random", [](const Scene& scene, std::size_t k) { return !scene.bodies[k].shape; },
-     "the points are given"},
+    {"bodies[].points_per_cell", points_are_given, "the points are given"},
+    {"bodies[].jitter", points_are_given, "the points are given"},
+    {"bodies[].random", points_are_given, "the points are given"},
     {"heat.method",
      [](const Scene& scene, std::size_t) {
        return !has_boundary<Flux, Convection, Radiation>(scene);
@@ -100,8 +102,7 @@ constexpr IdleRule rules[] = {
               without_adaptive_steps(scene);
      },
      "heat takes explicit steps here, or the step is given"},
-    {"heat.tolerance",
-     [](const Scene& scene, std::size_t) { return without_adaptive_steps(scene); },
+    {"heat.tolerance", whole<without_adaptive_steps>,
      "heat chooses no steps of its own here: time_integration is not auto, the step is given, or "
      "the solver is explicit"},
     {"heat.blend",
@@ -114,11 +115,9 @@ constexpr IdleRule rules[] = {
     {"heat.surface_fraction",
      [](const Scene& scene, std::size_t) { return scene.heat->method != FluxMethod::paper; },
      "heat.method is not paper"},
-    {"heat.normal_smoothing",
-     [](const Scene& scene, std::size_t) { return without_normals(scene); },
+    {"heat.normal_smoothing", whole<without_normals>,
      "no boundary condition asks for smooth normals"},
-    {"heat.corner_fit", [](const Scene& scene, std::size_t) { return without_normals(scene); },
-     "no boundary condition asks for corners"},
+    {"heat.corner_fit", whole<without_normals>, "no boundary condition asks for corners"},
     {"heat.implicit_robin",
      [](const Scene& scene, std::size_t) { return !has_boundary<Convection, Radiation>(scene); },
      "there is neither convection nor radiation"},
@@ -132,9 +131,7 @@ constexpr IdleRule rules[] = {
     {"dynamics.courant",
      [](const Scene& scene, std::size_t) { return scene.time.step || scene.time.steps; },
      "time gives the step"},
-    {"dynamics.gravity_factor",
-     [](const Scene& scene, std::size_t) { return without_gravity(scene); },
-     "there is no dynamics.gravity"},
+    {"dynamics.gravity_factor", whole<without_gravity>, "there is no dynamics.gravity"},
     {"dynamics.damping_until",
      [](const Scene& scene, std::size_t) { return scene.dynamics->local_damping == 0.0; },
      "there is no dynamics.local_damping"},
@@ -162,8 +159,7 @@ constexpr IdleRule rules[] = {
     {"bodies[].motion.axis",
      [](const Scene& scene, std::size_t) { return dimension_of(scene) < 3; },
      "in two dimensions there is one axis"},
-    {"quasi_static.enforcement",
-     [](const Scene& scene, std::size_t) { return without_supports(scene); }, "there are no walls"},
+    {"quasi_static.enforcement", whole<without_supports>, "there are no walls"},
     {"quasi_static.bandwidth",
      [](const Scene& scene, std::size_t) {
        return without_supports(scene) || scene.quasi_static->enforcement == Enforcement::nitsche;
@@ -176,12 +172,9 @@ constexpr IdleRule rules[] = {
                scene.quasi_static->enforcement != Enforcement::nitsche);
      },
      "no wall has a moderate constraint"},
-    {"quasi_static.hold_empty_cells",
-     [](const Scene& scene, std::size_t) { return without_supports(scene); }, "there are no walls"},
-    {"quasi_static.max_penetration",
-     [](const Scene& scene, std::size_t) { return without_supports(scene); }, "there are no walls"},
-    {"peridynamics.heat.dissipation",
-     [](const Scene& scene, std::size_t) { return !scene.peridynamics->flow; },
+    {"quasi_static.hold_empty_cells", whole<without_supports>, "there are no walls"},
+    {"quasi_static.max_penetration", whole<without_supports>, "there are no walls"},
+    {"peridynamics.heat.dissipation", whole<without_flow>,
      "nothing flows without [peridynamics.flow]"},
     {"peridynamics.heat.zero_energy",
      [](const Scene& scene, std::size_t) {
@@ -193,27 +186,15 @@ constexpr IdleRule rules[] = {
        return flow_of(scene).laplacian != Laplacian::zero_energy;
      },
      "its laplacian is not zero-energy"},
-    {"peridynamics.walls[].slip",
-     [](const Scene& scene, std::size_t) { return !scene.peridynamics->flow; },
+    {"peridynamics.walls[].slip", whole<without_flow>, "nothing flows without [peridynamics.flow]"},
+    {"peridynamics.walls[].velocity", whole<without_flow>,
      "nothing flows without [peridynamics.flow]"},
-    {"peridynamics.walls[].velocity",
-     [](const Scene& scene, std::size_t) { return !scene.peridynamics->flow; },
-     "nothing flows without [peridynamics.flow]"},
-    {"peridynamics.flow.sound_speed_factor",
-     [](const Scene& scene, std::size_t) { return flow_of(scene).sound_speed > 0.0; },
-     "sound_speed is given"},
-    {"peridynamics.flow.length",
-     [](const Scene& scene, std::size_t) { return flow_of(scene).sound_speed > 0.0; },
-     "sound_speed is given"},
-    {"peridynamics.flow.temperature_range",
-     [](const Scene& scene, std::size_t) { return flow_of(scene).sound_speed > 0.0; },
-     "sound_speed is given"},
-    {"output.fields", [](const Scene& scene, std::size_t) { return without_frames(scene); },
-     "there is no output.path"},
-    {"output.precision", [](const Scene& scene, std::size_t) { return without_frames(scene); },
-     "there is no output.path"},
-    {"output.compression", [](const Scene& scene, std::size_t) { return without_frames(scene); },
-     "there is no output.path"},
+    {"peridynamics.flow.sound_speed_factor", whole<has_sound_speed>, "sound_speed is given"},
+    {"peridynamics.flow.length", whole<has_sound_speed>, "sound_speed is given"},
+    {"peridynamics.flow.temperature_range", whole<has_sound_speed>, "sound_speed is given"},
+    {"output.fields", whole<without_frames>, "there is no output.path"},
+    {"output.precision", whole<without_frames>, "there is no output.path"},
+    {"output.compression", whole<without_frames>, "there is no output.path"},
     {"output.checkpoint_every",
      [](const Scene& scene, std::size_t) { return !scene.output.checkpoint; },
      "output.checkpoint is off"},

@@ -75,13 +75,6 @@ std::string celsius_warning(const Scene& scene) {
                  "= \"celsius\" or \"kelvin\"");
 }
 
-/// Whether heat is solved with the operators of points.
-bool is_heat_of_points(const Scene& scene) {
-  return asks_for_points(*scene.heat) || (has_moving_points(scene) && !common_motion(scene)) ||
-         std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                     [](const Body& body) { return !body.shape; });
-}
-
 /// Convection on the nodes of the band holds them all where it is strong.
 std::vector<std::string> strong_convection_warnings(const Scene& scene) {
   std::vector<std::string> all;
@@ -109,6 +102,12 @@ std::vector<std::string> strong_convection_warnings(const Scene& scene) {
 }
 
 }  // namespace
+
+bool is_heat_of_points(const Scene& scene) {
+  return asks_for_points(*scene.heat) || (has_moving_points(scene) && !common_motion(scene)) ||
+         std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const Body& body) { return !body.shape; });
+}
 
 std::vector<std::string> heat_warnings(const Scene& scene) {
   std::vector<std::string> all;

@@ -11,6 +11,9 @@ namespace lapilli {
 /// std::invalid_argument with the place of the key. Functions are checked where they are called.
 void validate_heat(const Scene& scene);
 
+/// Whether heat is solved with the operators of points. The scene has [heat].
+bool is_heat_of_points(const Scene& scene);
+
 /// What is not wrong but looks like a slip: temperatures under radiation that look like degrees
 /// Celsius though nothing was said.
 std::vector<std::string> heat_warnings(const Scene& scene);

@@ -11,9 +11,7 @@ WIDTH, LOWER, UPPER = 2.0, 1.1, 0.8  # m, of the column and of the heights of it
 DENSITIES, MODULUS, G = (2000.0, 1600.0), 5e7, 9.81
 
 
-def column(
-    ratio: float, degrees: float = 0.0, unit: float = 1.0, **weight: object
-) -> tuple[lp.Simulation, np.ndarray]:
+def column(ratio: float, degrees: float, unit: float) -> tuple[lp.Simulation, np.ndarray]:
     """Two layers between smooth walls on a smooth floor; and the direction upwards. Lengths in
     `unit` of a metre."""
     angle = np.radians(degrees)
@@ -48,10 +46,10 @@ def column(
         ),
         bodies=bodies,
         quasi_static=lp.QuasiStatic(
+            gravity=tuple(-G / unit * up),
             supports=[
                 lp.Support(name=name, kind="roller", shape=shape) for name, shape in walls.items()
             ],
-            **(weight or {"gravity": tuple(-G / unit * up)}),
         ),
         time=lp.Time(end=1.0, steps=1),
     )

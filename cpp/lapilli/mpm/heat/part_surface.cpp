@@ -43,17 +43,17 @@ HoldLayer layer_of(const HeatProblem<Dim>& problem, std::size_t law,
   if (law >= problem.settings.boundaries.size()) {
     return {thin_of_contact, false};
   }
-  double least = std::numeric_limits<double>::infinity();  // W/(m K), across any piece
-  for (const auto& [body, some] : pieces) {
-    const Mat<Dim> k = problem.bodies[body].material.conductivity.least().template block<Dim>();
-    for (const SurfacePiece<Dim>& piece : some) {
-      least = std::min(least, piece.normal.dot(k * piece.normal));
-    }
-  }
   const HoldLayer layer;
   const HeatBoundary& one = problem.settings.boundaries[law];
   if (is_nonlinear(problem)) {  // one system over all parts: one answer for all
     return {share_of_nonlinear * layer.thickness, passes_layer(one, 0.0)};
+  }
+  double least = std::numeric_limits<double>::infinity();  // W/(m K), across any piece
+  for (const auto& [body, some] : pieces) {
+    const Mat<Dim> k = problem.bodies[body].material.conductivity.constant().template block<Dim>();
+    for (const SurfacePiece<Dim>& piece : some) {
+      least = std::min(least, piece.normal.dot(k * piece.normal));
+    }
   }
   return {layer.thickness, passes_layer(one, least / (layer.thickness * problem.grid.cell_size()))};
 }

@@ -71,7 +71,6 @@ void SurfaceSolver::set_base(Matrix base, double conduction_scale, Method method
   const bool same_problem =
       state_->conduction_scale == conduction_scale && state_->method == method;
   if (same_problem && is_same(base, state_->base)) {
-    state_->place = std::move(place);
     return;
   }
   // After a resume the numbers of the factor of this base have been loaded.

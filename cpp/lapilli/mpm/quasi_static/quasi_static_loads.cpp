@@ -124,10 +124,14 @@ double QuasiStatic<Dim>::cell_mean_share(const Facet<Dim>& facet, Index& cell) c
   return occupied ? reference_.scheme.consistency : 0.0;
 }
 
-/// Of the material in every cell, kg/m^3; 0 in those without.
+/// Of the material in every cell, kg/m^3; 0 in those without, and everywhere without gravity.
 template <int Dim>
 std::vector<double> QuasiStatic<Dim>::cell_densities() const {
-  std::vector<double> mass(static_cast<std::size_t>(grid_.cell_count()), 0.0), volume(mass);
+  std::vector<double> mass(static_cast<std::size_t>(grid_.cell_count()), 0.0);
+  if (settings_.gravity.empty()) {
+    return mass;
+  }
+  std::vector<double> volume(mass);
   for (Index p = 0; p < points_.size(); ++p) {
     const Index cell = grid_.cell_index(grid_.cell_containing(points_.position<Dim>(p)));
     mass[cell] += reference_.volume[p] * solids_.elastic(points_.body()[p]).density;
@@ -143,6 +147,9 @@ std::vector<double> QuasiStatic<Dim>::cell_densities() const {
 /// does not say: walls carry that part as they do the mean.
 template <int Dim>
 void QuasiStatic<Dim>::add_hydrostatic(double to, Loads<Dim>& loads) const {
+  if (std::count(averaged_.begin(), averaged_.end(), 0) == std::ssize(averaged_)) {
+    return;
+  }
   const std::vector<double> densities = cell_densities();
   for (std::size_t f = 0; f < reference_.facets.size(); ++f) {
     const Facet<Dim>& facet = reference_.facets[f];

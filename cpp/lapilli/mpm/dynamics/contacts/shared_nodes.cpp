@@ -5,6 +5,7 @@
 
 #include "lapilli/mpm/dynamics/contacts/node_neighbours.hpp"
 #include "lapilli/mpm/dynamics/point_kernel.hpp"
+#include "lapilli/mpm/dynamics/touching_gap.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
 
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -228,9 +229,6 @@ std::vector<Vec<Dim>> SharedNodes<Dim>::normals_of(const NodeNeighbours<Dim>& ne
   return normals;
 }
 
-/// A gap of so many cells is none: what rests swings by its own weight.
-constexpr double nothing = 0.05;
-
 template <int Dim>
 void SharedNodes<Dim>::measure(const DynamicsData<Dim>& data, std::pair<int, int> fields,
                                std::span<SharedNode<Dim>> nodes) {
@@ -271,7 +269,7 @@ void SharedNodes<Dim>::measure(const DynamicsData<Dim>& data, std::pair<int, int
     parallel_for(count, [&](Index k) {
       const double mean = means[k][0] / means[k][1];
       nodes[k].gap += mean;
-      nodes[k].touches = nodes[k].gap <= nothing * h;
+      nodes[k].touches = nodes[k].gap <= touching_gap * h;
       weighed[k][0] -= weighed[k][1] * mean;
     });
   }

@@ -7,6 +7,7 @@
 #include "lapilli/core/in_space.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/obstacles/light_nodes.hpp"
+#include "lapilli/mpm/dynamics/touching_gap.hpp"
 #include "lapilli/mpm/transfer/point_start.hpp"
 
 namespace lapilli {
@@ -126,9 +127,6 @@ bool ObstacleContacts<Dim>::place_on_nodes(const DynamicsData<Dim>& data, const 
   return sum > least_sum;
 }
 
-/// A gap of so many cells is none: what rests swings by its own weight.
-constexpr double nothing = 0.05;
-
 template <int Dim>
 Contact<Dim> ObstacleContacts<Dim>::contact_at(const DynamicsData<Dim>& data, Index row,
                                                const Vec3& x, double gap, double step) const {
@@ -143,7 +141,7 @@ Contact<Dim> ObstacleContacts<Dim>::contact_at(const DynamicsData<Dim>& data, In
   contact.bound = -std::max(0.0, gap - skin) / step;
   contact.share = 1.0 - std::exp(-step / lags_[data.points.body()[row]]);
   const double face = std::as_const(data.points).volume()[row] / (2.0 * skin);  // m^(Dim-1)
-  const bool touches = gap <= skin + nothing * data.grid.cell_size();
+  const bool touches = gap <= skin + touching_gap * data.grid.cell_size();
   contact.grip = touches ? obstacle_.adhesion * face * step : 0.0;
   return contact;
 }
