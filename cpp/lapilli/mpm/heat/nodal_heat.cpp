@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/exchange_on_diagonal.hpp"
 #include "lapilli/mpm/heat/nodal_assembly.hpp"
 #include "lapilli/mpm/heat/step_bound.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
@@ -201,19 +202,9 @@ void NodalHeat<Dim>::exchange_with_surroundings(const Step& step) {
   }
   laws_.evaluate_over(temperature_, step.time, step.time + step.size);
   for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
-    const auto& n = laws_.nodes()[law];
-    double heat = 0.0;
-    for (std::size_t k = 0; k < n.node.size(); ++k) {
-      const Index place = n.node[k];
-      // The law at the end of the step: (C + dt slope) dT = dt (conduction + rate). In this form
-      // the heat stays exact where a stiff law leaves a small difference of large rates.
-      const double slope = problem_.settings.implicit_robin ? n.slope[k] : 0.0;
-      const double rise = step.size * (n.rate[k] - slope * increment_[place]) /
-                          (lumped_[place] + step.size * slope);
-      increment_[place] += rise;
-      heat += lumped_[place] * rise;
-    }
-    laws_.book(law, heat);
+    laws_.book(law,
+               exchange_on_diagonal(laws_.nodes()[law], step.size, problem_.settings.implicit_robin,
+                                    lumped_.data(), increment_.data(), [](auto...) {}));
   }
 }
 

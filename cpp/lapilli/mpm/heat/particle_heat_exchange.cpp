@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/exchange_on_diagonal.hpp"
 #include "lapilli/mpm/heat/particle_heat.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
 
@@ -97,27 +98,16 @@ void ParticleHeat<Dim>::solve_nodes(const Step& now) {
   }
   for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
     const auto& n = laws_.nodes()[law];
-    double heat = 0.0;
-    for (std::size_t k = 0; k < n.node.size(); ++k) {
-      const double capacity = grid_.capacity[n.node[k]];
-      if (!(capacity > 0.0)) {
-        continue;
-      }
-      // The law at the end of the step: (C + dt slope) dT = dt (others + rate). In this form the
-      // heat stays exact where a stiff law leaves a small difference of large rates.
-      const double slope = problem_.settings.implicit_robin ? n.slope[k] : 0.0;
-      double& increment = grid_.increment[n.node[k]];
-      const double rise = step * (n.rate[k] - slope * increment) / (capacity + step * slope);
+    const auto relax = [&](std::size_t k, double slope, double capacity) {
       if (!relaxation_.empty() && n.area[k] > 0.0) {
         const double biot = slope / n.area[k] * problem_.grid.cell_size() / conductivity_;
         relaxation_[n.node[k]] =
             std::clamp(biot - 1.0, 0.0, 1.0) * step * slope / (capacity + step * slope);
         relaxes_ = relaxes_ || biot > 1.0;
       }
-      increment += rise;
-      heat += capacity * rise;
-    }
-    laws_.book(law, heat);
+    };
+    laws_.book(law, exchange_on_diagonal(n, step, problem_.settings.implicit_robin,
+                                         grid_.capacity.data(), grid_.increment.data(), relax));
   }
 }
 
