@@ -92,16 +92,9 @@ void describe_heat(const Scene& scene, CheckReport& report) {
     return;
   }
   report.modelled.push_back("heat conduction");
-  int laws[4] = {};
-  for (const HeatBoundary& law : scene.heat->boundaries) {
-    ++laws[law.index()];
-  }
   std::ranges::copy(heat_warnings(scene), std::back_inserter(report.notes));
-  const char* names[4] = {"prescribed flux", "convection", "radiation", "prescribed temperature"};
-  for (int k = 0; k < 4; ++k) {
-    if (laws[k] > 0) {
-      report.modelled.push_back(names[k]);
-    }
+  for (const char* condition : modelled_by(scene.heat->boundaries)) {
+    report.modelled.push_back(condition);
   }
   if (scene.heat->boundaries.empty()) {
     report.notes.push_back("[heat] has no boundaries: all surfaces are insulated");

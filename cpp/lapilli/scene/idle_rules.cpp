@@ -14,12 +14,12 @@ bool without_heat(const Scene& scene) {
 
 namespace {
 
-template <class... Kind>
-bool has_boundary(const Scene& scene) {
-  return scene.heat && std::any_of(scene.heat->boundaries.begin(), scene.heat->boundaries.end(),
-                                   [](const HeatBoundary& one) {
-                                     return (std::holds_alternative<Kind>(one) || ...);
-                                   });
+/// Whether every boundary condition of heat holds a temperature.
+bool without_fluxes(const Scene& scene) {
+  return !scene.heat || std::ranges::all_of(scene.heat->boundaries, holds_temperature);
+}
+bool without_exchange(const Scene& scene) {
+  return !scene.heat || std::ranges::none_of(scene.heat->boundaries, exchanges);
 }
 bool without_normals(const Scene& scene) {
   return scene.heat->boundaries.empty() || scene.heat->method == FluxMethod::node ||
@@ -86,11 +86,7 @@ constexpr IdleRule rules[] = {
     {"bodies[].points_per_cell", points_are_given, "the points are given"},
     {"bodies[].jitter", points_are_given, "the points are given"},
     {"bodies[].random", points_are_given, "the points are given"},
-    {"heat.method",
-     [](const Scene& scene, std::size_t) {
-       return !has_boundary<Flux, Convection, Radiation>(scene);
-     },
-     "no boundary condition prescribes a flux"},
+    {"heat.method", whole<without_fluxes>, "no boundary condition prescribes a flux"},
     {"heat.theta",
      [](const Scene& scene, std::size_t) {
        return scene.heat->time_integration != TimeIntegration::implicit_theta;
@@ -118,9 +114,7 @@ constexpr IdleRule rules[] = {
     {"heat.normal_smoothing", whole<without_normals>,
      "no boundary condition asks for smooth normals"},
     {"heat.corner_fit", whole<without_normals>, "no boundary condition asks for corners"},
-    {"heat.implicit_robin",
-     [](const Scene& scene, std::size_t) { return !has_boundary<Convection, Radiation>(scene); },
-     "there is neither convection nor radiation"},
+    {"heat.implicit_robin", whole<without_exchange>, "there is neither convection nor radiation"},
     {"heat.subcycling", [](const Scene& scene, std::size_t) { return !scene.dynamics; },
      "without [dynamics] every step is one of heat"},
     {"dynamics.pic_fraction",

@@ -15,10 +15,7 @@ namespace lapilli {
 namespace {
 
 bool radiates(const Scene& scene) {
-  const auto is_radiation = [](const HeatBoundary& law) {
-    return std::holds_alternative<Radiation>(law);
-  };
-  return scene.heat && std::ranges::any_of(scene.heat->boundaries, is_radiation);
+  return scene.heat && any_needs_absolute(scene.heat->boundaries);
 }
 
 /// Call body(value, path) for every temperature that a scene with [heat] gives.
@@ -29,13 +26,8 @@ void for_each_temperature(const Scene& scene, const Body& body) {
   }
   for (std::size_t k = 0; k < scene.heat->boundaries.size(); ++k) {
     const HeatBoundary& law = scene.heat->boundaries[k];
-    const std::string path = message("heat.boundaries.", k);
-    if (const auto* convection = std::get_if<Convection>(&law)) {
-      body(convection->ambient, path + ".ambient");
-    } else if (const auto* radiation = std::get_if<Radiation>(&law)) {
-      body(radiation->ambient, path + ".ambient");
-    } else if (const auto* held = std::get_if<PrescribedTemperature>(&law)) {
-      body(held->value, path + ".value");
+    if (const Value* surroundings = surroundings_of(law)) {
+      body(*surroundings, message("heat.boundaries.", k, ".", key_of_surroundings(law)));
     }
   }
 }
@@ -85,11 +77,11 @@ std::vector<std::string> strong_convection_warnings(const Scene& scene) {
     }
   }
   for (std::size_t law = 0; law < scene.heat->boundaries.size(); ++law) {
-    const auto* convection = std::get_if<Convection>(&scene.heat->boundaries[law]);
-    if (convection == nullptr) {
+    const Value* coefficient = given_coefficient(scene.heat->boundaries[law]);
+    if (coefficient == nullptr) {
       continue;
     }
-    const double cells = convection->coefficient.largest() * scene.grid.cell / least;
+    const double cells = coefficient->largest() * scene.grid.cell / least;
     if (cells > 1.0 && std::isfinite(cells)) {
       all.push_back(message(
           "heat.boundaries.", law, ": its coefficient is ", std::round(10.0 * cells) / 10.0,

@@ -1,35 +1,11 @@
 #include "lapilli/mpm/heat/boundary_conditions.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
 
 namespace lapilli {
-namespace {
-
-bool is_held(const HeatBoundary& law) { return std::holds_alternative<PrescribedTemperature>(law); }
-
-}  // namespace
-
-const Shape* region_of(const HeatBoundary& law) {
-  return std::visit([](const auto& l) { return l.region ? &*l.region : nullptr; }, law);
-}
-
-std::vector<const Shape*> regions_of(const std::vector<HeatBoundary>& laws) {
-  std::vector<const Shape*> regions;
-  for (const HeatBoundary& law : laws) {
-    regions.push_back(region_of(law));
-  }
-  return regions;
-}
-
-std::string name_of_law(const HeatBoundary& law, std::size_t index) {
-  return std::visit(
-      [&](const auto& l) { return l.name.empty() ? message(l.kind, " ", index + 1) : l.name; },
-      law);
-}
 
 template <int Dim>
 BoundaryConditions<Dim>::BoundaryConditions(const std::vector<HeatBoundary>& laws,
@@ -44,33 +20,7 @@ BoundaryConditions<Dim>::BoundaryConditions(const std::vector<HeatBoundary>& law
 
 template <int Dim>
 bool BoundaryConditions<Dim>::has_held_temperature() const {
-  return std::any_of(laws_.begin(), laws_.end(), is_held);
-}
-
-template <int Dim>
-bool BoundaryConditions<Dim>::has_radiation() const {
-  return std::any_of(laws_.begin(), laws_.end(), [](const HeatBoundary& law) {
-    return std::holds_alternative<Radiation>(law);
-  });
-}
-
-template <int Dim>
-bool BoundaryConditions<Dim>::is_linear() const {
-  return std::none_of(laws_.begin(), laws_.end(), [](const HeatBoundary& law) {
-    const auto* flux = std::get_if<Flux>(&law);
-    const auto* convection = std::get_if<Convection>(&law);
-    return std::holds_alternative<Radiation>(law) ||
-           (flux != nullptr && flux->value.is_function()) ||
-           (convection != nullptr && convection->coefficient.is_function());
-  });
-}
-
-template <int Dim>
-bool BoundaryConditions<Dim>::has_constant_slope() const {
-  return is_linear() && std::all_of(laws_.begin(), laws_.end(), [](const HeatBoundary& law) {
-           const auto* convection = std::get_if<Convection>(&law);
-           return convection == nullptr || convection->coefficient.is_constant();
-         });
+  return std::ranges::any_of(laws_, holds_temperature);
 }
 
 template <int Dim>
@@ -86,8 +36,7 @@ void BoundaryConditions<Dim>::assign(
   const auto parts = divide_surface<Dim>(grid, areas, places, regions_of(laws_));
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     // Only a flux that does not depend on the temperature may act on negative areas.
-    const auto* flux = std::get_if<Flux>(&laws_[law]);
-    const bool is_signed = flux != nullptr && !flux->value.is_function();
+    const bool is_signed = surroundings_of(laws_[law]) == nullptr && lapilli::is_linear(laws_[law]);
     for (const SurfacePart<Dim>& part : parts[law]) {
       const double area =
           ratios_.of(law) * part.share * (is_signed ? areas.area : areas.positive)[part.row];
@@ -127,7 +76,7 @@ void BoundaryConditions<Dim>::place_probes(
     const std::function<double(Index, const Vec<Dim>&)>& conductivity) {
   constexpr int corners = 1 << Dim;
   for (std::size_t law = 0; law < laws_.size(); ++law) {
-    if (!is_held(laws_[law])) {
+    if (!holds_temperature(laws_[law])) {
       continue;
     }
     Nodes& nodes = nodes_[law];

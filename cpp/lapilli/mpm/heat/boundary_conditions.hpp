@@ -46,9 +46,7 @@ class BoundaryConditions {
 
   bool empty() const { return laws_.empty(); }
   bool has_held_temperature() const;
-  bool has_radiation() const;
-  bool is_linear() const;           // no radiation, no callable
-  bool has_constant_slope() const;  // besides, no coefficient tabulated in time
+  bool is_linear() const { return are_linear(laws_); }
   const std::vector<Nodes>& nodes() const { return nodes_; }
 
   /// Give each law the part of the surface that its region has; `places` is asked only where there
@@ -84,8 +82,7 @@ class BoundaryConditions {
   /// what varies in time as below.
   void evaluate(std::span<const double> temperature, double begin, double end);
   /// Rates and slopes for one explicit step, tables by their means over it and functions at its
-  /// middle. The slope of radiation is the secant to its ambient, sigma e (Ta^2 + T^2)(Ta + T): at
-  /// a cold start the tangent 4 sigma e T^3 restores nothing, and the step would pass the ambient.
+  /// middle. The slopes are the coefficients of exchange, by which no step passes a target.
   void evaluate_over(std::span<const double> temperature, double begin, double end);
   /// Add to a law's account. `heat` was supplied (J).
   void book(std::size_t law, double heat) { account_.book(law, heat); }
@@ -100,33 +97,19 @@ class BoundaryConditions {
   void load(const Archive& archive, const std::string& name);
 
  private:
-  void evaluate_between(std::span<const double> temperature, double begin, double end);
-  void read_states(std::size_t law, std::span<const double> temperature);
-  void evaluate_flux(const Flux& law, Nodes& nodes);
-  void evaluate_convection(const Convection& law, Nodes& nodes);
-  void evaluate_radiation(const Radiation& law, Nodes& nodes);
-  void evaluate_held(Nodes& nodes);
-  /// Fill with a value's means over the span of time, or its values where that is an instant.
-  void fill(const Value& value, const Nodes& nodes, std::vector<double>& values) const;
-  /// As fill, the mean of a power weighted by the value before: of coefficient ambient^power.
-  void fill_ambient(const Value& coefficient, const Value& ambient, int power, const Nodes& nodes,
-                    std::vector<double>& values) const;
+  enum class Slope { secant, tangent };
+  void evaluate_between(std::span<const double> temperature, double begin, double end,
+                        Slope wanted);
+  void read_states(Nodes& nodes, std::span<const double> temperature) const;
+  void find_own_slopes(Nodes& nodes, std::span<const double> coefficient) const;
   void require_absolute(std::size_t law, std::span<const double> values) const;
 
   std::vector<HeatBoundary> laws_;
   std::vector<Nodes> nodes_;
   ConditionAccount account_;
   AreaRatios ratios_;
-  double zero_ = 0.0;               // absolute zero in the scene's unit
-  double begin_ = 0.0, end_ = 0.0;  // s, the span of time being evaluated
-  bool secant_ = false;
-  std::vector<double> first_, second_;  // scratch of evaluate
+  double zero_ = 0.0;                         // absolute zero in the scene's unit
+  std::vector<double> coefficient_, target_;  // scratch of evaluate
 };
-
-/// The region of a law, null when it takes what is left.
-const Shape* region_of(const HeatBoundary& law);
-std::vector<const Shape*> regions_of(const std::vector<HeatBoundary>& laws);
-/// "convection 2" or the name the user gave.
-std::string name_of_law(const HeatBoundary& law, std::size_t index);
 
 }  // namespace lapilli

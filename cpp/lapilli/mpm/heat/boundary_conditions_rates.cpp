@@ -1,19 +1,67 @@
 #include <algorithm>
-#include <cmath>
 
 #include "lapilli/core/require.hpp"
-#include "lapilli/mpm/heat/ambient_over_step.hpp"
 #include "lapilli/mpm/heat/boundary_conditions.hpp"
 
 namespace lapilli {
+namespace {
+
+/// Of a condition between absolute temperatures: nodes of the band may lie below their zero.
+void count_from_zero(double zero, std::span<double> state, std::span<double> target) {
+  for (std::size_t k = 0; k < state.size(); ++k) {
+    state[k] = std::max(state[k] - zero, 0.0);
+    target[k] -= zero;
+  }
+}
+
+}  // namespace
 
 template <int Dim>
-void BoundaryConditions<Dim>::read_states(std::size_t law, std::span<const double> temperature) {
+void BoundaryConditions<Dim>::evaluate(std::span<const double> temperature, double begin,
+                                       double end) {
+  evaluate_between(temperature, begin, end, Slope::tangent);
+}
+
+template <int Dim>
+void BoundaryConditions<Dim>::evaluate_over(std::span<const double> temperature, double begin,
+                                            double end) {
+  evaluate_between(temperature, begin, end, Slope::secant);
+}
+
+template <int Dim>
+void BoundaryConditions<Dim>::evaluate_between(std::span<const double> temperature, double begin,
+                                               double end, Slope wanted) {
+  const bool absolute = any_needs_absolute(laws_);
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    Nodes& n = nodes_[law];
+    read_states(n, temperature);
+    target_.resize(n.node.size());
+    Exchange exchange{n.rate, n.slope, target_, {}};
+    if (wanted == Slope::tangent) {
+      coefficient_.resize(n.node.size());
+      exchange.coefficient = coefficient_;
+      exchange.tangent = n.slope;
+    }
+    find_exchange(laws_[law], {n.position, n.state, n.conductance, n.area, begin, end, zero_},
+                  exchange);
+    if (absolute && surroundings_of(laws_[law]) != nullptr) {
+      require_absolute(law, target_);
+    }
+    if (needs_absolute(laws_[law])) {
+      count_from_zero(zero_, n.state, target_);
+    }
+    add_exchange(exchange, n.state);
+    find_own_slopes(n, exchange.coefficient);
+  }
+}
+
+/// The temperature at the node, or at the probe of a held temperature.
+template <int Dim>
+void BoundaryConditions<Dim>::read_states(Nodes& n, std::span<const double> temperature) const {
   constexpr std::size_t corners = 1 << Dim;
-  Nodes& n = nodes_[law];
-  const bool held = std::holds_alternative<PrescribedTemperature>(laws_[law]);
+  const bool has_probes = !n.probe.empty();
   for (std::size_t k = 0; k < n.node.size(); ++k) {
-    if (!held) {
+    if (!has_probes) {
       n.state[k] = temperature[n.node[k]];
       continue;
     }
@@ -24,124 +72,16 @@ void BoundaryConditions<Dim>::read_states(std::size_t law, std::span<const doubl
   }
 }
 
+/// Of a probe, what the node itself has in it; the rest couples it to others.
 template <int Dim>
-void BoundaryConditions<Dim>::fill(const Value& value, const Nodes& nodes,
-                                   std::vector<double>& values) const {
-  value.evaluate_mean(nodes.position, nodes.state, begin_, end_, values);
-}
-
-template <int Dim>
-void BoundaryConditions<Dim>::fill_ambient(const Value& coefficient, const Value& ambient,
-                                           int power, const Nodes& nodes,
-                                           std::vector<double>& values) const {
-  if (ambient.is_function()) {
-    fill(ambient, nodes, values);
-    return;
-  }
-  std::fill(values.begin(), values.end(),
-            ambient_over(coefficient, ambient, power, zero_, begin_, end_));
-}
-
-template <int Dim>
-void BoundaryConditions<Dim>::evaluate(std::span<const double> temperature, double begin,
-                                       double end) {
-  secant_ = false;
-  evaluate_between(temperature, begin, end);
-}
-
-template <int Dim>
-void BoundaryConditions<Dim>::evaluate_over(std::span<const double> temperature, double begin,
-                                            double end) {
-  secant_ = true;
-  evaluate_between(temperature, begin, end);
-}
-
-template <int Dim>
-void BoundaryConditions<Dim>::evaluate_between(std::span<const double> temperature, double begin,
-                                               double end) {
-  begin_ = begin;
-  end_ = end;
-  const bool absolute = has_radiation();
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    read_states(law, temperature);
-    Nodes& n = nodes_[law];
-    first_.resize(n.node.size());
-    second_.resize(n.node.size());
-    if (const auto* flux = std::get_if<Flux>(&laws_[law])) {
-      evaluate_flux(*flux, n);
-    } else if (const auto* convection = std::get_if<Convection>(&laws_[law])) {
-      evaluate_convection(*convection, n);
-    } else if (const auto* radiation = std::get_if<Radiation>(&laws_[law])) {
-      evaluate_radiation(*radiation, n);
-    } else {
-      fill(std::get<PrescribedTemperature>(laws_[law]).value, n, second_);
-      evaluate_held(n);
-    }
-    if (absolute && !std::holds_alternative<Flux>(laws_[law])) {
-      require_absolute(law, second_);
-    }
-  }
-}
-
-template <int Dim>
-void BoundaryConditions<Dim>::evaluate_flux(const Flux& law, Nodes& n) {
-  fill(law.value, n, first_);
-  std::fill(n.slope.begin(), n.slope.end(), 0.0);
-  if (law.value.is_function()) {
-    // The slope of a function, by a difference: a flux that falls with the temperature is taken at
-    // the end of the step like convection.
-    double span = 1.0;
-    for (const double state : n.state) {
-      span = std::max(span, std::abs(state));
-    }
-    const double rise = 1e-6 * span;
-    std::vector<double> warmer(n.state);
-    for (double& state : warmer) {
-      state += rise;
-    }
-    law.value.evaluate_mean(n.position, warmer, begin_, end_, second_);
-    for (std::size_t k = 0; k < n.slope.size(); ++k) {
-      n.slope[k] = n.area[k] * std::max(0.0, (first_[k] - second_[k]) / rise);
-    }
-  }
-  for (std::size_t k = 0; k < n.rate.size(); ++k) {
-    n.rate[k] = n.area[k] * first_[k];
-  }
-}
-
-template <int Dim>
-void BoundaryConditions<Dim>::evaluate_convection(const Convection& law, Nodes& n) {
-  fill(law.coefficient, n, first_);
-  fill_ambient(law.coefficient, law.ambient, 1, n, second_);
-  for (std::size_t k = 0; k < n.rate.size(); ++k) {
-    n.slope[k] = n.area[k] * first_[k];
-    n.rate[k] = n.slope[k] * (second_[k] - n.state[k]);
-  }
-}
-
-template <int Dim>
-void BoundaryConditions<Dim>::evaluate_radiation(const Radiation& law, Nodes& n) {
-  fill(law.emissivity, n, first_);
-  fill_ambient(law.emissivity, law.ambient, 4, n, second_);
-  for (std::size_t k = 0; k < n.rate.size(); ++k) {
-    const double factor = n.area[k] * first_[k] * law.stefan_boltzmann;
-    const double own = std::max(n.state[k] - zero_, 0.0), far = second_[k] - zero_;
-    const double secant = factor * (far * far + own * own) * (far + own);
-    n.rate[k] = secant * (far - own);
-    n.slope[k] = secant_ ? secant : 4.0 * factor * own * own * own;
-  }
-}
-
-template <int Dim>
-void BoundaryConditions<Dim>::evaluate_held(Nodes& n) {
+void BoundaryConditions<Dim>::find_own_slopes(Nodes& n, std::span<const double> coefficient) const {
   constexpr std::size_t corners = 1 << Dim;
-  for (std::size_t k = 0; k < n.rate.size(); ++k) {
-    const double conductance = n.area[k] * n.conductance[k];
+  for (std::size_t k = 0; k * corners < n.probe.size(); ++k) {
+    const double conductance = coefficient[k];
     n.slope[k] = 0.0;
     for (std::size_t c = k * corners; c < (k + 1) * corners; ++c) {
       n.slope[k] += n.probe[c].first == n.node[k] ? conductance * n.probe[c].second : 0.0;
     }
-    n.rate[k] = conductance * (second_[k] - n.state[k]);
   }
 }
 

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "lapilli/mpm/heat/boundary_conditions.hpp"
-
 namespace lapilli {
 
 void ConditionAccount::book(std::size_t condition, double heat) {

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <numeric>
 
-#include "lapilli/mpm/heat/boundary_conditions.hpp"
 #include "lapilli/mpm/surface/divide_pieces.hpp"
 
 namespace lapilli {

@@ -21,8 +21,8 @@ bool CutCellHeat<Dim>::suits(const HeatProblem<Dim>& problem) {
       Dim == 1 && settings.contacts.empty() &&
       std::none_of(problem.bodies.begin(), problem.bodies.end(),
                    [](const HeatBody& body) { return body.material.varies(); }) &&
-      std::all_of(settings.boundaries.begin(), settings.boundaries.end(),
-                  [](const HeatBoundary& law) { return std::holds_alternative<Flux>(law); });
+      std::ranges::all_of(settings.boundaries,
+                          [](const HeatBoundary& law) { return surroundings_of(law) == nullptr; });
   return !problem.moving && !better_by_points && !asks_for_points(settings) &&
          std::all_of(problem.bodies.begin(), problem.bodies.end(),
                      [](const HeatBody& body) { return body.shape.has_value(); });

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "lapilli/core/parallel.hpp"
-#include "lapilli/mpm/heat/boundary_conditions.hpp"
 
 namespace lapilli {
 namespace {
@@ -29,17 +28,8 @@ Value in_frame(const Value& value, const Motion& motion, int dimension) {
 template <int Dim>
 HeatProblem<Dim> problem_in_frame(HeatProblem<Dim> problem, const Motion& motion) {
   for (HeatBoundary& law : problem.settings.boundaries) {
-    if (auto* flux = std::get_if<Flux>(&law)) {
-      flux->value = in_frame(flux->value, motion, Dim);
-    } else if (auto* convection = std::get_if<Convection>(&law)) {
-      convection->coefficient = in_frame(convection->coefficient, motion, Dim);
-      convection->ambient = in_frame(convection->ambient, motion, Dim);
-    } else if (auto* radiation = std::get_if<Radiation>(&law)) {
-      radiation->emissivity = in_frame(radiation->emissivity, motion, Dim);
-      radiation->ambient = in_frame(radiation->ambient, motion, Dim);
-    } else {
-      auto& held = std::get<PrescribedTemperature>(law);
-      held.value = in_frame(held.value, motion, Dim);
+    for (Value* value : values_of(law)) {
+      *value = in_frame(*value, motion, Dim);
     }
   }
   for (HeatBody& body : problem.bodies) {

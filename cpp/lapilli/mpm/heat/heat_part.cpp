@@ -8,7 +8,6 @@
 #include <span>
 
 #include "lapilli/core/require.hpp"
-#include "lapilli/mpm/heat/boundary_conditions.hpp"
 #include "lapilli/mpm/heat/cell_operators.hpp"
 #include "lapilli/mpm/heat/cut_bodies.hpp"
 #include "lapilli/mpm/heat/part_surface.hpp"

@@ -1,14 +1,11 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "lapilli/core/describe.hpp"
-#include "lapilli/core/value.hpp"
-#include "lapilli/geometry/shape.hpp"
+#include "lapilli/mpm/heat/conditions/heat_boundary.hpp"
 #include "lapilli/mpm/heat/heat_contact.hpp"
 
 namespace lapilli {
@@ -82,86 +79,6 @@ struct Names<HeatSolver> {
       {HeatSolver::direct, "direct"},
       {HeatSolver::conjugate_gradient, "cg"}};
 };
-
-/// A prescribed flux into the body.
-struct Flux {
-  static constexpr const char* kind = "flux";
-  std::string name;
-  Value value;                  // W/m^2, positive into the body
-  std::optional<Shape> region;  // the surface inside this shape; all that is left when absent
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit(Key("name").text("name of the region in balance and messages"), self.name);
-    visit(Key("value").unit("W/m^2").required().text("flux, positive into the body"), self.value);
-    visit(Key("region").text("shape that selects the surface"), self.region);
-  }
-};
-
-/// Newton's law of cooling: flux into the body = coefficient (ambient - T).
-struct Convection {
-  static constexpr const char* kind = "convection";
-  std::string name;
-  Value coefficient;  // W/(m^2 K)
-  Value ambient;      // K
-  std::optional<Shape> region;
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit(Key("name").text("name of the region in balance and messages"), self.name);
-    visit(Key("coefficient")
-              .unit("W/(m^2 K)")
-              .non_negative()
-              .required()
-              .text("heat transfer coefficient"),
-          self.coefficient);
-    visit(Key("ambient").unit("K").required().text("temperature far away"), self.ambient);
-    visit(Key("region").text("shape that selects the surface"), self.region);
-  }
-};
-
-/// Grey-body exchange: flux into the body = emissivity sigma (ambient^4 - T^4), of absolute
-/// temperatures.
-struct Radiation {
-  static constexpr const char* kind = "radiation";
-  std::string name;
-  Value emissivity = 1.0;                    // 0 to 1
-  Value ambient;                             // K, or degrees Celsius where the scene says so
-  double stefan_boltzmann = 5.670374419e-8;  // W/(m^2 K^4), in the scene's units
-  std::optional<Shape> region;
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit(Key("name").text("name of the region in balance and messages"), self.name);
-    visit(Key("emissivity").range(0.0, 1.0).text("emissivity"), self.emissivity);
-    visit(Key("ambient").unit("K").required().text(
-              "temperature far away, absolute unless temperature_unit says otherwise"),
-          self.ambient);
-    visit(Key("stefan_boltzmann")
-              .unit("W/(m^2 K^4)")
-              .positive()
-              .text("Stefan-Boltzmann constant in the scene's units"),
-          self.stefan_boltzmann);
-    visit(Key("region").text("shape that selects the surface"), self.region);
-  }
-};
-
-/// A temperature held on a surface that need not fit the grid.
-struct PrescribedTemperature {
-  static constexpr const char* kind = "temperature";
-  std::string name;
-  Value value;  // K
-  std::optional<Shape> region;
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit(Key("name").text("name of the region in balance and messages"), self.name);
-    visit(Key("value").unit("K").required().text("temperature of the surface"), self.value);
-    visit(Key("region").text("shape that selects the surface"), self.region);
-  }
-};
-
-using HeatBoundary = std::variant<Flux, Convection, Radiation, PrescribedTemperature>;
 
 /// Heat conduction: the section [heat] of a scene.
 struct HeatSettings {

@@ -8,25 +8,13 @@
 namespace lapilli {
 namespace {
 
-bool is_function(const HeatBoundary& law) {
-  const auto any = [](const auto&... values) { return (values.is_function() || ...); };
-  if (const auto* convection = std::get_if<Convection>(&law)) {
-    return any(convection->coefficient, convection->ambient);
-  }
-  if (const auto* radiation = std::get_if<Radiation>(&law)) {
-    return any(radiation->emissivity, radiation->ambient);
-  }
-  const auto* flux = std::get_if<Flux>(&law);
-  return any(flux != nullptr ? flux->value : std::get<PrescribedTemperature>(law).value);
-}
-
 /// Whether steps of heat may be long unasked: nobody chose the step, the transfer smooths by the
 /// time and not by the step, and there is no function, which nobody knows to change how fast.
 template <int Dim>
 bool bears_long_steps(const HeatProblem<Dim>& problem, HeatTransfer transfer) {
   return !problem.fixed_steps &&
          (transfer == HeatTransfer::affine || transfer == HeatTransfer::flip) &&
-         std::ranges::none_of(problem.settings.boundaries, is_function) &&
+         std::ranges::none_of(problem.settings.boundaries, has_function) &&
          std::ranges::none_of(problem.bodies,
                               [](const HeatBody& body) { return body.source.is_function(); });
 }

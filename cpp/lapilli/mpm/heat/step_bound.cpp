@@ -118,14 +118,8 @@ bool exchanges_strongly(const HeatProblem<Dim>& problem) {
   }
   const auto& laws = problem.settings.boundaries;
   return std::any_of(laws.begin(), laws.end(), [&](const HeatBoundary& law) {
-    double coefficient = 0.0;
-    if (const auto* convection = std::get_if<Convection>(&law)) {
-      coefficient = convection->coefficient.largest();
-    } else if (const auto* radiation = std::get_if<Radiation>(&law)) {
-      coefficient = 4.0 * radiation->emissivity.largest() * radiation->stefan_boltzmann *
-                    std::pow(std::max(hottest, radiation->ambient.largest() - zero), 3);
-    }
-    return coefficient * problem.grid.cell_size() > conductivity;
+    return exchanges(law) &&
+           largest_coefficient(law, hottest, zero) * problem.grid.cell_size() > conductivity;
   });
 }
 

@@ -50,11 +50,9 @@ struct UniformLaw {
 /// exchange that comes near.
 bool passes_layer(const HeatBoundary& law, double hold);
 
-/// The boundary laws of a scene where the surface itself is known. Convection, radiation and a
-/// prescribed temperature are one law, rate = coefficient (ambient - T) at the surface's own
-/// temperature: radiation with the secant coefficient, which no step overshoots, a prescribed
-/// temperature with that of the layer. Tables count by their mean over the step, that of the
-/// ambient weighted by the coefficient, functions in its middle.
+/// The boundary conditions of a scene where the surface itself is known, at the surface's own
+/// temperature. All that exchange are one, rate = coefficient (ambient - T), with the coefficient
+/// that the layer leaves to the surface.
 class SurfaceConditions {
  public:
   /// `zero` is absolute zero in the unit of the temperatures.
@@ -76,11 +74,11 @@ class SurfaceConditions {
   std::size_t size() const { return laws_.size(); }
   bool empty() const { return laws_.empty(); }
   const HeatBoundary& operator[](std::size_t law) const { return laws_[law]; }
-  bool holds_temperature(std::size_t law) const;
+  bool holds_temperature(std::size_t law) const { return lapilli::holds_temperature(laws_[law]); }
   /// Whether the law is the same all over a surface of one material, whatever its temperature.
-  bool is_uniform(std::size_t law) const;
+  bool is_uniform(std::size_t law) const { return lapilli::is_uniform(laws_[law]); }
   /// Whether rates are linear in the temperature.
-  bool is_linear() const;
+  bool is_linear() const { return are_linear(laws_); }
   /// Whether a table of any law jumps in [from, to).
   bool jumps_within(double from, double to) const;
 

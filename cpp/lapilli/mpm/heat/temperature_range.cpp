@@ -8,18 +8,6 @@
 namespace lapilli {
 namespace {
 
-/// What a law would bring the surface to; null for a flux.
-const Value* surroundings_of(const HeatBoundary& law) {
-  if (const auto* convection = std::get_if<Convection>(&law)) {
-    return &convection->ambient;
-  }
-  if (const auto* radiation = std::get_if<Radiation>(&law)) {
-    return &radiation->ambient;
-  }
-  const auto* held = std::get_if<PrescribedTemperature>(&law);
-  return held != nullptr ? &held->value : nullptr;
-}
-
 bool is_zero(const Value& value) { return value.is_constant() && value.at(0.0) == 0.0; }
 
 }  // namespace
@@ -52,12 +40,9 @@ TemperatureRange diverged_beyond(const HeatProblem<Dim>& problem, std::span<cons
 template <int Dim>
 void require_absolute(const HeatProblem<Dim>& problem, const Points& points,
                       std::span<const double> start) {
-  const auto& laws = problem.settings.boundaries;
-  const bool radiates = std::any_of(laws.begin(), laws.end(), [](const HeatBoundary& law) {
-    return std::holds_alternative<Radiation>(law);
-  });
+  const bool absolute = any_needs_absolute(problem.settings.boundaries);
   const double zero = absolute_zero(problem.settings);
-  for (Index row = 0; radiates && row < points.size(); ++row) {
+  for (Index row = 0; absolute && row < points.size(); ++row) {
     require(start[static_cast<std::size_t>(row)] >= zero, "initial temperature of point ",
             points.id()[row], " of body ", points.body()[row], " is ",
             start[static_cast<std::size_t>(row)], ", below absolute zero at ", zero,

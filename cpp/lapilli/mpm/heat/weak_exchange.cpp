@@ -49,7 +49,7 @@ WeakExchange exchange_of(const SurfaceConditions& laws, std::size_t law,
                          const HeatPart<Dim>& part) {
   WeakExchange weak;
   weak.law = law;
-  weak.coefficient = std::get<Convection>(laws[law]).coefficient.at(0.0);
+  weak.coefficient = given_coefficient(laws[law])->at(0.0);
   const SurfaceTerm::Part& surface = part.surface[law];
   integrate(part.nodal.trace[law], surface.sites.area, part.nodal.place, weak.place, weak.area);
   integrate(surface.trace, surface.sites.area, part.unknown_place, weak.lead_place, weak.lead_area);
@@ -63,12 +63,12 @@ std::vector<WeakExchange> join_weak_laws(const SurfaceConditions& laws, const Gr
                                          double most, double rate, HeatPart<Dim>& part) {
   std::vector<WeakExchange> weak;
   for (std::size_t law = 0; law < laws.size(); ++law) {
-    const auto* convection = std::get_if<Convection>(&laws[law]);
-    if (convection == nullptr || !laws.is_uniform(law) || !convection->coefficient.is_constant()) {
+    const Value* coefficient = given_coefficient(laws[law]);
+    if (coefficient == nullptr || !laws.is_uniform(law) || !coefficient->is_constant()) {
       continue;
     }
     // Rates of two operators together are at most the sum of theirs.
-    const double added = convection->coefficient.at(0.0) * fastest_exchange(part, law);
+    const double added = coefficient->at(0.0) * fastest_exchange(part, law);
     if (added >= 0.0 && rate + added <= most) {
       rate += added;
       weak.push_back(exchange_of(laws, law, part));

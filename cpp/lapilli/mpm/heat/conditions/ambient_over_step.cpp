@@ -1,4 +1,4 @@
-#include "lapilli/mpm/heat/ambient_over_step.hpp"
+#include "lapilli/mpm/heat/conditions/ambient_over_step.hpp"
 
 #include <algorithm>
 #include <cmath>
