@@ -133,5 +133,13 @@ TEST_CASE("A body at the temperature that is held stays there") {
   }
 }
 
+TEST_CASE("Points that take fluxes themselves hold no temperature") {
+  scenes::Trial<2> trial;
+  trial.settings.method = FluxMethod::particle;
+  trial.settings.transfer = HeatTransfer::flip;
+  trial.settings.boundaries = {held(1.0)};
+  CHECK_THROWS_WITH(trial.start(1.0), Catch::Contains("holds no temperature"));
+}
+
 }  // namespace
 }  // namespace lapilli

@@ -40,6 +40,9 @@ ParticleHeat<Dim>::ParticleHeat(Points& points, HeatProblem<Dim> problem)
   require(
       problem_.settings.time_integration != TimeIntegration::implicit_theta,
       "heat.time_integration = \"implicit\" needs points at rest and heat.transfer = \"nodal\"");
+  require(problem_.settings.method != FluxMethod::particle || !laws_.has_held_temperature(),
+          "heat.method = \"particle\" hands fluxes to points and holds no temperature: use "
+          "\"virtual\" for a prescribed temperature");
   order_.update(points_);
   if (affine_) {
     gradient_ = std::make_unique<PointArray>(points_, Dim, 0.0, PointArray::Kind::gradient);
