@@ -19,7 +19,9 @@ Found found(const HeatBoundary& condition, double state, double weight = 1.0, do
   const Exchange exchange{{&rate, 1}, {&coefficient, 1}, {&target, 1}, {&tangent, 1}};
   find_exchange(condition, {{&position, 1}, {&state, 1}, {&hold, 1}, {&weight, 1}, 0.0, 2.0, zero},
                 exchange);
-  add_exchange(exchange, {&state, 1});
+  if (surroundings_of(condition) != nullptr) {
+    add_exchange(exchange, {&state, 1});
+  }
   return {rate, coefficient, tangent};
 }
 

@@ -44,7 +44,10 @@ void BoundaryConditions<Dim>::evaluate_between(std::span<const double> temperatu
     }
     find_exchange(laws_[law], {n.position, n.state, n.conductance, n.area, begin, end, zero_},
                   exchange);
-    if (absolute && surroundings_of(laws_[law]) != nullptr) {
+    if (surroundings_of(laws_[law]) == nullptr) {
+      continue;  // the flux is the rate
+    }
+    if (absolute) {
       require_absolute(law, target_);
     }
     if (needs_absolute(laws_[law])) {

@@ -122,7 +122,10 @@ void SurfaceConditions::evaluate(std::size_t law, SurfaceSites& sites, double fr
   const Exchange exchange{sites.rate, sites.slope, target, {}};
   find_exchange(laws_[law], {sites.position, sites.state, sites.hold, {}, from, to, zero_},
                 exchange);
-  if (surroundings_of(laws_[law]) != nullptr && !sites.hold.empty()) {
+  if (surroundings_of(laws_[law]) == nullptr) {
+    return;  // the flux is the rate
+  }
+  if (!sites.hold.empty()) {
     const Passage passage{holds_temperature(law), sites.layer.behind,
                           hold_over(law, sites.layer, from, to)};
     for (std::size_t k = 0; k < sites.slope.size(); ++k) {

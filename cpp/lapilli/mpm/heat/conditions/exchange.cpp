@@ -69,7 +69,6 @@ void find_flux(const Value& value, const ExchangeSites& sites, const Exchange& e
     std::ranges::fill(exchange.coefficient, 0.0);
   }
   weigh(sites, exchange.flux);
-  std::ranges::copy(sites.state, exchange.target.begin());
   std::ranges::copy(exchange.coefficient.first(exchange.tangent.size()), exchange.tangent.begin());
 }
 

@@ -20,11 +20,12 @@ struct ExchangeSites {
 /// What a condition does at every site: heat enters at the rate
 ///     flux + coefficient (target - T)    (W/m^2).
 /// The coefficient is the secant to the target, which a step that takes it at its end does not
-/// pass. A flux that falls with the temperature has its own state for a target.
+/// pass. Without surroundings the flux is all of the rate, and the coefficient how much it falls
+/// for every kelvin.
 struct Exchange {
   std::span<double> flux;         // W/m^2, positive into the body
   std::span<double> coefficient;  // W/(m^2 K), not negative
-  std::span<double> target;       // K
+  std::span<double> target;       // K, of a condition that has surroundings
   std::span<double> tangent;      // W/(m^2 K), -d rate/dT for Newton; empty where nobody asks
 };
 

@@ -50,7 +50,7 @@ const Value* given_coefficient(const HeatBoundary& condition);
 /// `hottest` (K above absolute zero, which is at `zero`).
 double largest_coefficient(const HeatBoundary& condition, double hottest, double zero);
 
-/// Fill `exchange` with what a condition does at its sites.
+/// Fill `exchange` with what a condition does at its sites; its target where it has surroundings.
 void find_exchange(const HeatBoundary& condition, const ExchangeSites& sites,
                    const Exchange& exchange);
 
