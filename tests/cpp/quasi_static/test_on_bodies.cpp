@@ -15,12 +15,10 @@ namespace {
 const LinearElastic rubber{1000.0, 1e7, 0.3};
 const Grid<2> room(Vec<2>(-1.3, -1.3), Vec<2>(1.3, 1.3), 0.1);
 
-Points filled(const std::vector<Shape>& bodies) {
-  Points points(2);
+void fill_all(Points& points, const std::vector<Shape>& bodies) {
   for (const Shape& body : bodies) {
     fill_clipped(points, room, body, 2);
   }
-  return points;
 }
 
 SurfaceSettings line(const Corners& corners) { return {{}, false, numbers(corners), {}}; }
@@ -28,7 +26,8 @@ SurfaceSettings line(const Corners& corners) { return {{}, false, numbers(corner
 /// What a physics of these bodies, held at `held`, says when it is made: warnings or the refusal.
 std::string said(const std::vector<Shape>& bodies, const SurfaceSettings& held,
                  std::vector<TractionSettings> tractions = {}) {
-  Points points = filled(bodies);
+  Points points(2);
+  fill_all(points, bodies);
   QuasiStaticSettings settings;
   settings.supports = {{"held", HeldMotion::fixed, held, {}}};
   settings.tractions = std::move(tractions);
@@ -79,7 +78,8 @@ TEST_CASE("a pressure on the wrong side of a body is refused, whatever its surfa
 TEST_CASE("a support drawn off the body holds it as one that lies on it, and says so") {
   const auto pressed = [](double low, double gap, std::string& words) {
     const std::vector<Shape> block = {box(0.0, low, 1.0, low + 1.0)};
-    Points points = filled(block);
+    Points points(2);
+    fill_all(points, block);
     QuasiStaticSettings settings;
     settings.supports = {
         {"held", HeldMotion::fixed, line({{0.0, low - gap}, {1.0, low - gap}}), {}}};
@@ -145,7 +145,7 @@ TEST_CASE("bodies that touch, corners and bodies far apart have no gap") {
       {Disk{{-0.503, 0.0}, 0.5}, Disk{{0.497, 0.01}, 0.5}},
       {Disk{{0.0, 0.503}, 0.5}, box(-1.0, -0.5, 1.0, 0.003)},
       {Annulus{{0.0, 0.0}, 0.3, 0.8}, Disk{{0.0, 0.0}, 0.3}},
-      {Rotated{box(-0.5, -0.5, 0.5, 0.0), 30.0}}};
+      {Rotated{box(-0.5, -0.5, 0.5, 0.0), 30.0, {}}}};
   const std::vector<char> cells(static_cast<std::size_t>(room.cell_count()), 1);
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     for (const Shape& body : scenes[k]) {
