@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lapilli/core/in_space.hpp"
+#include "lapilli/mpm/quasi_static/on_bodies.hpp"
 
 namespace lapilli {
 namespace {
@@ -16,14 +17,6 @@ double total_area(const std::vector<Facet<Dim>>& facets) {
     sum += facet.area();
   }
   return sum;
-}
-
-double distance_to(const std::vector<Shape>& bodies, const Vec3& at) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Shape& body : bodies) {
-    least = std::min(least, lapilli::distance(body, at));
-  }
-  return least;
 }
 
 /// Where there is a body, and `off` (m) around it.
@@ -115,9 +108,11 @@ std::vector<Facet<Dim>> Boundary<Dim>::cut_walls(const Grid<Dim>& grid, CellStat
   }
   std::vector<Facet<Dim>> all;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    std::vector<Facet<Dim>> facets = facets_at_material(
-        grid, state, walls_[w].cut(grid, near, static_cast<int>(w), time, solids),
-        settings_.hold_empty_cells);
+    std::vector<Facet<Dim>> facets = walls_[w].cut(grid, near, static_cast<int>(w), time, solids);
+    if (time == 0.0 && settings_.hold_empty_cells) {
+      reach_from_bodies(grid, state, bodies_, facets);
+    }
+    facets = facets_at_material(grid, state, std::move(facets), settings_.hold_empty_cells);
     if (facets.empty()) {
       throw RunError(message(walls_[w].what(), " cuts no material",
                              settings_.hold_empty_cells ? "" : " (hold_empty_cells is off)",
@@ -167,6 +162,10 @@ std::vector<LoadedSurface<Dim>> Boundary<Dim>::cut_tractions(const Grid<Dim>& gr
     }
     if (facets.empty()) {
       throw RunError(message(traction.what(), " meets no material: move it to the body's surface"));
+    }
+    const TractionSettings& law = settings_.tractions[surfaces.size()];
+    if (!bodies_.empty() && (!law.pressure.is_constant() || law.pressure.at(0.0) != 0.0)) {
+      require_pushes(bodies_, facets, h, law.surface, traction.what());
     }
     surfaces.emplace_back(traction.what());
     surfaces.back().start(facets);

@@ -43,8 +43,8 @@ class Boundary {
   std::vector<Facet<Dim>> cut_walls(const Grid<Dim>& grid, CellState<Dim>& state,
                                     double time) const;
 
-  /// The surfaces of all tractions at time 0. Throws RunError naming one that meets no material or
-  /// leaves the grid.
+  /// The surfaces of all tractions at time 0. Throws RunError naming one that meets no material,
+  /// leaves the grid or has its pressure on the wrong side of a body.
   std::vector<LoadedSurface<Dim>> cut_tractions(const Grid<Dim>& grid,
                                                 const CellState<Dim>& state) const;
   /// The forces of the tractions at a time on these surfaces.

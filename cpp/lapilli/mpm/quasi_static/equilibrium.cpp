@@ -212,7 +212,8 @@ Imbalance Equilibrium<Dim>::residual(const Eigen::VectorXd& u) const {
   double wall_square = 0.0;
   add_walls(held_back, internal, cancelled, wall_square);
   add_ghosts(held_back, internal, cancelled);
-  Imbalance imbalance{external_ - internal, std::sqrt(std::max(reference, wall_square)), 0.0};
+  const double in_play = std::sqrt(std::max(reference, wall_square));
+  Imbalance imbalance{external_ - internal, std::max(in_play, loads_.largest_before), 0.0};
   if (loads_.carried.size() > 0) {
     imbalance.force -= loads_.carried;
   }

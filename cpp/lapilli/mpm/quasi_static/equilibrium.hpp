@@ -37,6 +37,9 @@ struct Loads {
   Eigen::VectorXd since_reset;
   /// Part of the imbalance that the reset brought, not taken up yet, N; empty: none.
   Eigen::VectorXd carried;
+  /// Size of the largest forces of the steps before, N: where loads are taken off, what is out of
+  /// balance is compared with what they were.
+  double largest_before = 0.0;
 };
 
 /// Equilibrium of the nodes of the background grid in one load step. The unknown is the

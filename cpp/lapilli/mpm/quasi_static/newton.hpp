@@ -8,8 +8,9 @@ namespace lapilli {
 /// How an iteration ended.
 struct NewtonReport {
   int iterations = 0;
-  double residual = 0.0;  // out-of-balance force over the forces in play
-  double floor = 0.0;     // what of it may be rounding
+  double residual = 0.0;   // out-of-balance force over the forces in play
+  double floor = 0.0;      // what of it may be rounding
+  double reference = 0.0;  // size of the forces in play
   bool converged = false;
 };
 
@@ -68,6 +69,7 @@ NewtonReport solve_newton(Eigen::VectorXd& u, const Residual& residual,
   }
   report.converged = report.residual <= within;
   report.floor = imbalance.floor();
+  report.reference = imbalance.reference;
   return report;
 }
 

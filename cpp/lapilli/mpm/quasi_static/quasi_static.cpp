@@ -6,7 +6,7 @@
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
-#include "lapilli/core/step_refused.hpp"
+#include "lapilli/mpm/quasi_static/secants.hpp"
 
 namespace lapilli {
 namespace {
@@ -22,58 +22,6 @@ double stiffer(double elastic_share) {
 }  // namespace
 
 template <int Dim>
-StepLimit QuasiStatic<Dim>::step_limit() const {
-  StepLimit limit;
-  limit.reason = "load steps have no stable size: give time.steps";
-  return limit;
-}
-
-template <int Dim>
-StepReport QuasiStatic<Dim>::advance(const Step& step) {
-  double size = step.size;
-  for (int halvings = 0;; ++halvings, size *= 0.5) {
-    try {
-      report_ = attempt(step.time, step.time + size);
-      report_.halvings = halvings;
-      return {size, report_.newton.iterations, report_.newton.residual};
-    } catch (const LoadStepFailed& error) {
-      if (halvings == settings_.max_cutbacks) {
-        throw StepRefused(message("load step failed after ", halvings, " halvings: ", error.what(),
-                                  "; the last converged state is kept"));
-      }
-    } catch (const RunError& error) {
-      throw StepRefused(message(error.what(), "; the last converged state is kept"));
-    }
-  }
-}
-
-/// One load step; changes nothing unless it converges.
-template <int Dim>
-typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::attempt(double from, double to) {
-  if (!is_reset_due()) {
-    return try_step(from, to);
-  }
-  Archive before;
-  reference_.save(before);
-  const bool moved_far = moved_far_;
-  try {
-    reset_grid(from);
-    return try_step(from, to);
-  } catch (const RunError&) {
-    choose_stiffness(moved_far);
-    undo_reset(before);
-    throw;
-  }
-}
-
-template <int Dim>
-void QuasiStatic<Dim>::undo_reset(const Archive& before) {
-  reference_.scheme = scheme_;
-  reference_.load(before);
-  reference_.locate(grid_, points_, solids_.elastic(), averaged_, boundary_);
-}
-
-template <int Dim>
 typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(double from, double to) {
   Report report = report_;
   Loads<Dim> loads = collect_loads(to);
@@ -81,8 +29,7 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(double from, double
     factorise(loads, to, report);
   }
   if (reference_.imbalance_due) {
-    reference_.imbalance = imbalance_at(from);
-    reference_.imbalance_due = false;
+    settle_imbalance(from);
   }
   loads.carried = reference_.imbalance;
   Equilibrium<Dim> equilibrium = equilibrium_under(loads);
@@ -101,6 +48,10 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(double from, double
   support_forces_ = equilibrium.support_forces(u, static_cast<int>(boundary_.walls()));
   for (std::size_t w = 0; w < support_forces_.size(); ++w) {
     support_forces_[w] += carried * reference_.support_forces[w];
+  }
+  largest_force_ = std::max(largest_force_, report.newton.reference);
+  if (!report.newton.converged) {
+    largest_left_ = std::max(largest_left_, report.newton.residual);
   }
   update_points(equilibrium, u, moves);
   boundary_.guard(grid_, points_, to, guarded_.values());
@@ -124,26 +75,34 @@ Equilibrium<Dim> QuasiStatic<Dim>::equilibrium_under(const Loads<Dim>& loads) {
 template <int Dim>
 Eigen::VectorXd QuasiStatic<Dim>::solve(Equilibrium<Dim>& equilibrium, Report& report) {
   constexpr int longer_where_it_yields = 8;  // flow without dilatancy converges linearly
-  constexpr double stuck = 0.9;
+  constexpr double stuck = 0.9, slow = 0.05;
   const bool may_yield = solids_.can_yield();
   Eigen::VectorXd u = Eigen::VectorXd::Zero(system_.unknowns());
   double elastic_share = 1e-6, before = 0.0;
   int corrections = 0;
+  Secants secants;
   report.newton = solve_newton(
       u, [&](const Eigen::VectorXd& at) { return equilibrium.residual(at); },
       [&](const Eigen::VectorXd& force) {
-        if (may_yield) {
-          const double now = force.norm();
-          elastic_share =
-              corrections++ > 1 && now > stuck * before ? stiffer(elastic_share) : elastic_share;
-          before = now;
+        const auto by_tangent = [&](const Eigen::VectorXd& what) {
+          return equilibrium.correction(what);
+        };
+        if (!may_yield) {
+          follow_tangent(equilibrium, u, elastic_share, report);
+          return by_tangent(force);
         }
+        const double now = force.norm();
+        const bool is_slow = corrections > 1 && now > slow * before;
+        elastic_share =
+            corrections++ > 1 && now > stuck * before ? stiffer(elastic_share) : elastic_share;
+        before = now;
         follow_tangent(equilibrium, u, elastic_share, report);
-        return equilibrium.correction(force);
+        return secants.correction(u, force, is_slow, by_tangent);
       },
       settings_.tolerance, settings_.max_iterations * (may_yield ? longer_where_it_yields : 1),
       may_yield);
-  if (!report.newton.converged) {
+  const double accepted = may_yield ? 1e-6 : 0.0;  // with a warning: what is left falls slowly
+  if (!report.newton.converged && report.newton.residual > accepted) {
     throw LoadStepFailed(message("Newton's method stalled at a relative residual of ",
                                  report.newton.residual, " after ", report.newton.iterations,
                                  " iterations, tolerance ", settings_.tolerance));
@@ -187,15 +146,6 @@ std::vector<Vec<Dim>> QuasiStatic<Dim>::moves_of(const Equilibrium<Dim>& equilib
   std::vector<Vec<Dim>> moves(points_.size());
   parallel_for(points_.size(), [&](Index p) { moves[p] = equilibrium.displacement(p, u); });
   return moves;
-}
-
-/// What a reset leaves out of balance: moved points integrate differently, and the walls of the new
-/// grid hold nothing yet. It is taken up as the points move on; where nothing moves, nothing
-/// changes.
-template <int Dim>
-Eigen::VectorXd QuasiStatic<Dim>::imbalance_at(double time) {
-  const Loads<Dim> loads = collect_loads(time);
-  return equilibrium_under(loads).residual(Eigen::VectorXd::Zero(system_.unknowns())).force;
 }
 
 /// Factorise the tangent. Mean gaps on cells with next to no material may leave it indefinite; then
@@ -243,22 +193,6 @@ void QuasiStatic<Dim>::require_positive(const PivotReport& pivots) const {
       place.transpose(), " m, next to ", boundary_.nearest_wall(place),
       ": cells cut to slivers need ghost stabilisation (ghost_penalty = 0.01), nitsche a smaller "
       "gap_bandwidth"));
-}
-
-template <int Dim>
-bool QuasiStatic<Dim>::is_reset_due() const {
-  const double farthest = reference_.farthest(points_);
-  return !reference_.located || (farthest > 0.0 && farthest >= reset_);
-}
-
-template <int Dim>
-void QuasiStatic<Dim>::reset_grid(double time) {
-  reference_.imbalance_due = relaxation_ > 0.0 && reference_.moved.size() > 0;
-  reference_.start(points_, half_width_.get(), time);
-  choose_stiffness(moved_far_ || farthest_moved() >= 0.5 * grid_.cell_size());
-  reference_.scheme = scheme_;
-  reference_.support_forces = support_forces_;
-  reference_.locate(grid_, points_, solids_.elastic(), averaged_, boundary_);
 }
 
 template <int Dim>

@@ -9,6 +9,7 @@
 #include "lapilli/core/warnings.hpp"
 #include "lapilli/core/whole_steps.hpp"
 #include "lapilli/mpm/quasi_static/equilibrium.hpp"
+#include "lapilli/mpm/quasi_static/load_steps.hpp"
 #include "lapilli/mpm/quasi_static/reference.hpp"
 #include "lapilli/mpm/quasi_static/settings.hpp"
 #include "lapilli/mpm/transfer/shape_function.hpp"
@@ -17,8 +18,9 @@ namespace lapilli {
 
 /// Quasi-static equilibrium of solid bodies by the implicit material point method, with walls
 /// that do not fit the grid (Cortis et al. 2018, corrected). One step of the clock is one load
-/// step; a step that fails is halved, and the points keep the last state that converged. Not
-/// modelled: inertia, large strains (volumes stay), friction, walls that let go.
+/// step, which ends earlier at entries of tables; a step that fails is halved, and the points keep
+/// the last state that converged. Not modelled: inertia, large strains (volumes stay), friction,
+/// walls that let go.
 template <int Dim>
 class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
  public:
@@ -41,7 +43,8 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   std::vector<std::pair<std::string, double>> diagnostics() const override;
 
   /// Strains beyond what the law for small strains carries, cells too coarse for the stresses,
-  /// points that have crossed cells with linear shape functions.
+  /// points that have crossed cells with linear shape functions, forces left out of balance, walls
+  /// off the bodies, gaps that are bridged.
   std::vector<std::string> warnings() const override;
 
   /// Force of each wall on the material in the last load step, N (per metre thickness in 2D).
@@ -72,6 +75,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   std::vector<double> cell_densities() const;
   void add_hydrostatic(double to, Loads<Dim>& loads) const;
   void find_skin();
+  void note_geometry();
   Equilibrium<Dim> equilibrium_under(const Loads<Dim>& loads);
   Report attempt(double from, double to);
   Report try_step(double from, double to);
@@ -85,7 +89,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
                       double& elastic_share, Report& report);
   std::vector<Vec<Dim>> moves_of(const Equilibrium<Dim>& equilibrium,
                                  const Eigen::VectorXd& u) const;
-  Eigen::VectorXd imbalance_at(double time);
+  void settle_imbalance(double time);
   void factorise(Loads<Dim>& loads, double to, Report& report);
   void require_positive(const PivotReport& pivots) const;
   void require_loads_arrive(const Equilibrium<Dim>& equilibrium) const;
@@ -95,6 +99,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   Points& points_;
   Grid<Dim> grid_;
   QuasiStaticSettings settings_;
+  LoadSteps steps_;
   Boundary<Dim> boundary_;
   SupportScheme scheme_;
   double ghost_ = 0.0;
@@ -108,7 +113,10 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   PointArray guarded_;                      // rows x walls: 1 where a wall must keep the point
   std::unique_ptr<PointArray> half_width_;  // m, rows x Dim, of GIMP
   std::vector<Vec<Dim>> support_forces_;
+  double largest_force_ = 0.0;  // N, size of the forces in play in any load step so far
   Report report_;
+  double largest_left_ = 0.0;       // relative residual above the tolerance that was accepted
+  std::vector<std::string> notes_;  // of where walls and bodies are at the start
 
   Reference<Dim> reference_;
   double reset_ = 0.0;       // m

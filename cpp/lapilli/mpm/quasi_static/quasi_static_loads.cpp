@@ -11,6 +11,7 @@ template <int Dim>
 Loads<Dim> QuasiStatic<Dim>::collect_loads(double to) const {
   Loads<Dim> loads;
   loads.since_reset = reference_.moved;
+  loads.largest_before = largest_force_;
   std::vector<std::vector<Vec<Dim>>> motions;
   for (const Facet<Dim>& facet : reference_.facets) {
     motions.push_back(boundary_.wall(facet.surface).increments(facet, reference_.time, to));

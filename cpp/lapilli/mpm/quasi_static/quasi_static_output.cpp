@@ -1,6 +1,7 @@
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -32,6 +33,9 @@ void QuasiStatic<Dim>::save(Archive& archive) const {
   if (half_width_) {
     archive.write("quasi_static/half_width", std::as_const(*half_width_).values());
   }
+  archive.write("quasi_static/largest_force", largest_force_);
+  archive.write("quasi_static/largest_left", largest_left_);
+  steps_.save(archive);
   reference_.save(archive);
 }
 
@@ -48,6 +52,9 @@ void QuasiStatic<Dim>::load(const Archive& archive) {
   if (half_width_) {
     archive.read("quasi_static/half_width", half_width_->values());
   }
+  largest_force_ = archive.read_number("quasi_static/largest_force");
+  largest_left_ = archive.read_number("quasi_static/largest_left");
+  steps_.load(archive);
   choose_stiffness(archive.read_index("quasi_static/moved_far") != 0);
   reference_.scheme = scheme_;
   reference_.load(archive);
@@ -101,7 +108,11 @@ double QuasiStatic<Dim>::roughness() const {
     whole += energy(stress_at(p));
     changed += energy(stress_at(p) - smooth);
   }
-  return whole > 0.0 ? changed / whole : 0.0;
+  // What is left once loads are taken off says nothing.
+  constexpr double nothing = 1e-6;
+  const double h = grid_.cell_size(), stress = nothing * largest_force_ / std::pow(h, Dim - 1);
+  const double least = stress * stress * std::pow(h, Dim) / solids_.elastic()[0].youngs_modulus;
+  return whole > least ? changed / whole : 0.0;
 }
 
 template <int Dim>
@@ -118,7 +129,12 @@ std::vector<std::string> QuasiStatic<Dim>::warnings() const {
   // Of 126 drawn scenes those whose displacements are off by more than 3 % have a roughness above
   // 0.006, and most above it are off by more than 1 %.
   constexpr double small = 0.02, smooth = 0.006, crossing = 0.5;
-  std::vector<std::string> all;
+  std::vector<std::string> all(notes_);
+  if (largest_left_ > 0.0) {
+    all.push_back(message("quasi_static: Newton's method stalled in a load step with a share of ",
+                          largest_left_, " of the forces out of balance, tolerance ",
+                          settings_.tolerance, ": more load steps or max_iterations bring less"));
+  }
   if (const double strain = solids_.largest_strain(points_); strain > small) {
     all.push_back(message("quasi_static: the largest strain is ", strain,
                           "; the law is one of small strains, good to about ", small));

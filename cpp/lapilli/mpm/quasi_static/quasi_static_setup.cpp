@@ -3,7 +3,9 @@
 #include <utility>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/quasi_static/on_bodies.hpp"
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
+#include "lapilli/mpm/surface/narrow_gap.hpp"
 
 namespace lapilli {
 namespace {
@@ -20,6 +22,7 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
     : points_(points),
       grid_(grid),
       settings_(std::move(settings)),
+      steps_(settings_),
       boundary_(settings_, std::move(shapes)),
       solids_(points, materials),
       start_volume_(points, 1),
@@ -43,6 +46,7 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
   } catch (const RunError& error) {
     throw std::invalid_argument(error.what());
   }
+  note_geometry();
 }
 
 template <int Dim>
@@ -100,6 +104,28 @@ void QuasiStatic<Dim>::find_skin() {
   reference_.skin = skin_of<Dim>(grid_, boundary_.bodies(), averaged_, volume);
 }
 
+/// What a body holds to where it does not touch it.
+template <int Dim>
+void QuasiStatic<Dim>::note_geometry() {
+  const std::vector<Shape>& bodies = boundary_.bodies();
+  if (bodies.empty()) {
+    return;
+  }
+  for (std::size_t w = 0; w < boundary_.walls(); ++w) {
+    const double off =
+        distance_off(bodies, reference_.facets, static_cast<int>(w), grid_.cell_size());
+    if (off > 0.0) {
+      notes_.push_back(message("quasi_static: ", boundary_.wall(w).what(), " lies up to ", off,
+                               " m off the bodies and holds them as if they reached it: move it "
+                               "to their surface"));
+    }
+  }
+  const auto near = cells_near_material(grid_, *reference_.state);
+  if (const auto gap = narrowest_gap<Dim>(grid_, near, bodies)) {
+    notes_.push_back("quasi_static: " + gap->in_words(Dim));
+  }
+}
+
 template <int Dim>
 void QuasiStatic<Dim>::start_half_widths() {
   half_width_ = std::make_unique<PointArray>(points_, Dim);
@@ -117,6 +143,7 @@ void QuasiStatic<Dim>::start_half_widths() {
                                          std::vector<Shape>);                            \
   template void QuasiStatic<Dim>::choose_schemes();                                      \
   template void QuasiStatic<Dim>::choose_stiffness(bool);                                \
+  template void QuasiStatic<Dim>::note_geometry();                                       \
   template void QuasiStatic<Dim>::find_skin();                                           \
   template void QuasiStatic<Dim>::start_half_widths();
 LAPILLI_INSTANTIATE(2)
