@@ -53,4 +53,4 @@ def test_edges_of_regions_at_any_place_move_the_force_evenly() -> None:
 @pytest.mark.parametrize(("x", "z"), [(0.3, 0.3), (1.0, 0.8), (0.4, 0.8), (1.0, 0.2)])
 def test_a_quarter_of_a_footing_has_a_quarter_of_its_force(x: float, z: float) -> None:
     found = force_down((0, 0.5, 0), (x, 0.7, z))
-    assert found == pytest.approx(100 * x * z, rel=1e-2)
+    assert found == pytest.approx(100 * x * z, rel=0.03)

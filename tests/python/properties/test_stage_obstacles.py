@@ -15,7 +15,7 @@ CHANGES = {
     "heavier": ({}, {"mass": 400.0}),
     "lighter": ({"held": ["x"]}, {"mass": 20.0}),
     "of another inertia": ({"inertia": [3.0]}, {"inertia": [9.0]}),
-    "larger": ({}, {"shape": lp.Disk(center=(2, 2), radius=0.5)}),
+    "larger": ({}, {"shape": {"kind": "disk", "center": [2.0, 2.0], "radius": 0.5}}),
 }
 
 

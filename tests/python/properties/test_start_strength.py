@@ -70,7 +70,7 @@ def test_ground_rests_whatever_its_strength_and_k0(seed: int) -> None:
 def test_the_note_tells_what_is_borne() -> None:
     """Clay of 5 kPa bears sigma_h = sigma_v +- 2 c."""
     scene = ground(soil(0, 5e3), lp.Geostatic())
-    notes = [note for note in lp.check(scene).notes if "geostatic k0 = 0.5" in note]
+    notes = [note for note in scene.check().notes if "geostatic k0 = 0.5" in note]
     assert len(notes) == 1
     words = notes[0].split(" it bears ")[1].split()
     deepest = 2000 * G * 3.9375
@@ -83,5 +83,5 @@ def test_the_note_tells_what_is_borne() -> None:
 
 def test_a_slope_that_no_k0_holds_says_so() -> None:
     slope = lp.Geostatic(surface=(0, 4), normal=(0.6, 0.8))
-    notes = lp.check(ground(soil(20, 0.0), slope)).notes
+    notes = ground(soil(20, 0.0), slope).check().notes
     assert any("it bears none" in note for note in notes)

@@ -17,7 +17,7 @@
 namespace lapilli {
 namespace {
 
-constexpr Index steps_between_looks = 64;  // at the account of energy
+constexpr Index steps_between_looks = 16;  // at the account of energy
 
 }  // namespace
 
