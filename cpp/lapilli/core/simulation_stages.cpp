@@ -115,6 +115,7 @@ void Simulation::replace_parts(Stage::Parts parts, std::shared_ptr<const Archive
 /// A stage is made from the state before it, and goes on from its own: both are needed to resume.
 void Simulation::save_stage(Archive& archive) const {
   archive.write("stage/index", static_cast<Index>(stage_));
+  archive.write("stage/bodies", body_numbers_);
   account_.save(archive);
   if (stage_start_) {
     for (const auto& [name, array] : stage_start_->arrays()) {

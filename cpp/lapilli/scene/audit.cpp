@@ -1,9 +1,11 @@
 #include "lapilli/scene/audit.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/idle_rules.hpp"
+#include "lapilli/scene/linked_run.hpp"
 #include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/stage_scenes.hpp"
 #include "lapilli/scene/tree_writer.hpp"
@@ -91,6 +93,7 @@ std::vector<std::string> unused_in_one_stage(const Scene& scene) {
 
 std::vector<std::string> unused_settings(const Scene& scene) {
   std::vector<std::string> notes = unused_in_one_stage(scene);
+  std::ranges::copy(settings_left_to_run(scene), std::back_inserter(notes));
   if (scene.stages.empty()) {
     return notes;
   }

@@ -152,6 +152,7 @@ std::unique_ptr<Dynamics<Dim>> dynamics_of(const Scene& scene, const Grid<Dim>& 
     DynamicsBody body{solids_in(scene.bodies[k]).front(), half_width_of(scene, filled[k]), {}, {}};
     body.name = name;
     body.label = name.empty() ? message("body ", k) : message("body '", name, "'");
+    body.spacing = filled[k].spacing;
     if (beginning.goes_on(k)) {
       problem.bodies.push_back(std::move(body));
       continue;
@@ -160,6 +161,7 @@ std::unique_ptr<Dynamics<Dim>> dynamics_of(const Scene& scene, const Grid<Dim>& 
     body.stress = stress.of(k);
     problem.bodies.push_back(std::move(body));
   }
+  problem.notes = [&stress] { return stress.notes(); };
   problem.start = beginning.start;
   if (!initial) {
     problem.shapes = shapes_of(scene);

@@ -1,68 +1,55 @@
 #include "lapilli/scene/initial_state.hpp"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
-#include <sstream>
 
 #include "lapilli/core/simulation.hpp"
-#include "lapilli/output/checkpoint.hpp"
 #include "lapilli/scene/body_points.hpp"
+#include "lapilli/scene/linked_run.hpp"
 #include "lapilli/scene/place_errors.hpp"
 
 namespace lapilli {
 namespace {
 
-/// The settings that a checkpoint tells of its scene.
-std::map<std::string, std::string> settings_in(const std::string& identity) {
-  std::map<std::string, std::string> settings;
-  std::istringstream lines(identity);
-  for (std::string line; std::getline(lines, line);) {
-    if (const std::size_t tab = line.find('\t'); tab != std::string::npos) {
-      settings[line.substr(0, tab)] = line.substr(tab + 1);
-    }
+/// Points keep their mass, whatever they are made of.
+void require_same_densities(const Scene& scene, const Archive& state,
+                            const std::vector<int>& before) {
+  if (!state.contains("dynamics/body/density")) {
+    return;  // of an earlier version
   }
-  return settings;
+  const std::vector<double> density = state.read_numbers("dynamics/body/density");
+  for (std::size_t body = 0; body < before.size(); ++body) {
+    const std::vector<Solid> solids = solids_in(scene.bodies[body]);
+    if (before[body] < 0 || solids.empty()) {
+      continue;
+    }
+    const double now = elastic_part(solids.front()).density;
+    const double then = density.at(static_cast<std::size_t>(before[body]));
+    require_at(now == then, scene, element_path("bodies", body) + ".material", "has a density of ",
+               now, " kg/m^3, that of body ", scene.bodies[body].name, " in initial_state is ",
+               then, ": bodies that go on keep their mass");
+  }
 }
 
 }  // namespace
 
-InitialState::InitialState(const Scene& scene)
-    : dimension_(dimension_of(scene)), body_before_(scene.bodies.size(), -1) {
-  const std::string& name = scene.initial_state;
-  require_at(!name.ends_with(".vtkhdf"), scene, "initial_state",
-             "names frames; the state is in the checkpoint beside them: ",
-             name.substr(0, name.size() - std::string(".vtkhdf").size()), ".checkpoint");
-  Checkpoint checkpoint =
-      in_file(scene, "initial_state", [&] { return load_checkpoint(scene.initial_state); });
-  state_ = std::make_shared<const Archive>(std::move(checkpoint.state));
-  const auto settings = settings_in(checkpoint.identity);
-  const auto transfer = settings.find("dynamics.transfer");
-  same_transfer_ =
-      transfer != settings.end() && transfer->second == name_of(scene.dynamics->transfer);
-
+InitialState::InitialState(const Scene& scene) : dimension_(dimension_of(scene)) {
+  const LinkedRun run = linked_run(scene);
+  state_ = run.state;
+  same_transfer_ = run.transfer == name_of(scene.dynamics->transfer);
   require_at(state_->contains("dynamics/velocity"), scene, "initial_state",
              "is of a run without [dynamics]");
   const std::size_t points = state_->read_indices("points/id").size();
   require_at(state_->read_numbers("points/position").size() == points * dimension_, scene,
              "initial_state", "is of a run of another dimension");
-  std::string known;
-  for (int number = 0;; ++number) {
-    const auto found = settings.find(message("bodies.", number, ".name"));
-    if (found == settings.end()) {
-      break;
-    }
-    known += (known.empty() ? "" : ", ") + found->second;
-    for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-      if (!scene.bodies[body].name.empty() && scene.bodies[body].name == found->second) {
-        body_before_[body] = number;
-      }
-    }
-  }
+  body_before_ = bodies_before(scene, run);
+  require_same_densities(scene, *state_, body_before_);
   find_rows();
+  std::vector<std::string> known = run.bodies;
+  std::erase(known, "");
   require_at(std::any_of(rows_.begin(), rows_.end(), [](const auto& own) { return !own.empty(); }),
              scene, "initial_state", "holds none of the bodies of this scene, but ",
-             known.empty() ? "bodies without names" : known);
+             known.empty() ? "bodies without names" : joined(known));
 }
 
 InitialState::InitialState(const StageScene& stage, std::shared_ptr<const Archive> before)
@@ -104,9 +91,16 @@ void InitialState::find_rows() {
   }
 }
 
+/// Of the points of every body there; empty where the state does not tell.
+std::vector<double> InitialState::spacings() const {
+  const std::string name = "dynamics/body/spacing";
+  return state_->contains(name) ? state_->read_numbers(name) : std::vector<double>();
+}
+
 void InitialState::replace(std::vector<FilledPoints>& filled) const {
   const std::vector<double> position = state_->read_numbers("points/position");
   const std::vector<double> volume = state_->read_numbers("points/volume");
+  const std::vector<double> spacing = spacings();
   for (std::size_t body = 0; body < filled.size(); ++body) {
     if (!continues(body)) {
       continue;
@@ -117,6 +111,9 @@ void InitialState::replace(std::vector<FilledPoints>& filled) const {
       const auto begin = position.begin() + row * dimension_;
       filled[body].position.insert(filled[body].position.end(), begin, begin + dimension_);
       filled[body].volume.push_back(volume[row]);
+    }
+    if (!spacing.empty()) {
+      filled[body].spacing = spacing.at(static_cast<std::size_t>(body_before_[body]));
     }
   }
 }

@@ -30,6 +30,7 @@ class InitialState {
  private:
   /// Rows of every body there, in the order of their ids.
   std::vector<std::vector<Index>> rows_by_body() const;
+  std::vector<double> spacings() const;
   void find_rows();
   std::vector<Index> ids_of(std::size_t body, const std::vector<FilledPoints>& filled) const;
 

@@ -70,6 +70,10 @@ void require_same_obstacles(const Scene& scene, std::size_t k, const StageScene&
         before.scene.dynamics->obstacles[static_cast<std::size_t>(next.obstacle_before[one])];
     require_at(now.mass.has_value() == then.mass.has_value(), scene, stage_path(k) + ".set",
                "gives obstacle ", now.name, " a mass or takes it: remove it and add another one");
+    const bool starts_alike =
+        now.velocity == then.velocity && now.revolutions_per_second == then.revolutions_per_second;
+    require_at(!now.mass || starts_alike, scene, stage_path(k) + ".set", "sets the motion of ",
+               now.name, ", an obstacle with a mass: it goes on with the motion that it has");
   }
 }
 

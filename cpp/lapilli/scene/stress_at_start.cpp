@@ -1,7 +1,10 @@
 #include "lapilli/scene/stress_at_start.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "lapilli/geometry/checks.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/place_errors.hpp"
 
@@ -37,20 +40,65 @@ StressAtStart::StressAtStart(const Scene& scene, double time)
   });
 }
 
+BearableK0::Stress StressAtStart::by_k0(std::size_t body, const Vec3& at) const {
+  GeostaticStress rest = *scene_.bodies[body].geostatic;
+  if (rest.surface.empty()) {
+    return [rest, weight = overburden_->at(at), gravity = gravity_](double k0) mutable {
+      rest.k0 = k0;
+      return stress_under(rest, weight, gravity);
+    };
+  }
+  return
+      [rest, at, gravity = gravity_, density = density_of(scene_.bodies[body])](double k0) mutable {
+        rest.k0 = k0;
+        return stress_at(rest, at, gravity, density);
+      };
+}
+
 std::function<SymmetricTensor(const Vec3&)> StressAtStart::of(std::size_t body) const {
   const std::optional<GeostaticStress>& rest = scene_.bodies[body].geostatic;
   if (!rest) {
     return {};
   }
-  const Vec3 gravity = gravity_;
-  if (rest->surface.empty()) {
-    return [rest = *rest, gravity, above = overburden_](const Vec3& at) {
-      return stress_under(rest, above->at(at), gravity);
-    };
-  }
-  return [rest = *rest, gravity, density = density_of(scene_.bodies[body])](const Vec3& at) {
-    return stress_at(rest, at, gravity, density);
+  const BearableK0 bearable(solids_in(scene_.bodies[body]).front());
+  return [this, body, bearable, k0 = rest->k0](const Vec3& at) {
+    const BearableK0::Stress stress = by_k0(body, at);
+    const std::optional<double> borne = bearable.nearest(stress, k0);
+    Worst& worst = worst_[body];
+    ++worst.asked;
+    if (borne && *borne == k0) {
+      return stress(k0);
+    }
+    ++worst.not_borne;
+    const double away = borne ? std::abs(*borne - k0) : std::numeric_limits<double>::infinity();
+    if (away > worst.away) {
+      worst.away = away;
+      worst.place = at;
+      worst.borne = bearable.range(stress);
+    }
+    return stress(borne.value_or(k0));
   };
+}
+
+std::vector<std::string> StressAtStart::notes() const {
+  std::vector<std::string> all;
+  for (const auto& [body, worst] : worst_) {
+    if (worst.not_borne == 0) {
+      continue;
+    }
+    const Body& which = scene_.bodies[body];
+    const std::string name =
+        which.name.empty() ? message("body ", body) : message("body '", which.name, "'");
+    const std::string at = text_of(worst.place, dimension_of(scene_));
+    std::string text =
+        message("geostatic k0 = ", which.geostatic->k0, " is more than the strength of ", name,
+                " bears at ", worst.not_borne, " of ", worst.asked, " points: at ", at);
+    text += worst.borne ? message(" it bears ", worst.borne->lower, " to ", worst.borne->upper,
+                                  ", and such points start with the nearest that they bear")
+                        : message(" it bears none, and the body starts to yield at once");
+    all.push_back(std::move(text));
+  }
+  return all;
 }
 
 }  // namespace lapilli

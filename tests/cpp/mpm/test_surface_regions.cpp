@@ -64,7 +64,8 @@ struct Block {
     return divide_surface<Dim>(
         grid, areas,
         [&] {
-          return surface_places<Dim>(grid, *points, problem.shape, coefficients.half_width, areas);
+          return surface_places<Dim>(grid, *points, problem.shape, coefficients.half_width, areas,
+                                     {});
         },
         regions);
   }

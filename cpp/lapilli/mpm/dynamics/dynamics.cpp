@@ -15,16 +15,28 @@
 #include "lapilli/mpm/dynamics/update_points.hpp"
 
 namespace lapilli {
+namespace {
+
+constexpr Index steps_between_looks = 16;  // at the account of energy
+
+}  // namespace
 
 template <int Dim>
 Dynamics<Dim>::Dynamics(Points& points, const DynamicsProblem<Dim>& problem)
     : data_(points, problem) {
   require_stable_choice(data_);
+  for (const DynamicsBody& body : problem.bodies) {
+    spacing_.push_back(body.spacing);
+  }
   start_affine(problem);
   if (problem.start && problem.start->state) {
     go_on(*problem.start, data_);
   } else {
-    early_stops_ = early_stops(data_, problem.bodies);
+    start_notes_ = early_stops(data_, problem.bodies);
+  }
+  if (problem.notes) {
+    const std::vector<std::string> notes = problem.notes();
+    start_notes_.insert(start_notes_.end(), notes.begin(), notes.end());
   }
   data_.order.update(points);
   if (problem.bodies.size() > 1 || !problem.settings.contacts.empty()) {
@@ -113,6 +125,9 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   wave_speed_ = sums.wave_speed;
   strain_rate_ = std::sqrt(sums.strain) / step.size;
   watch_energy(sums);
+  if ((step.index + 1) % steps_between_looks == 0) {
+    open_energy_.look(energy_balance(), watch_.largest(), elastic_strain());
+  }
   carry_points();
   return {.accepted = step.size};
 }

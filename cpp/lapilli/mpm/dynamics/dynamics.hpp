@@ -10,6 +10,7 @@
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
 #include "lapilli/mpm/dynamics/energy_watch.hpp"
 #include "lapilli/mpm/dynamics/obstacles/obstacles.hpp"
+#include "lapilli/mpm/dynamics/open_energy.hpp"
 #include "lapilli/mpm/dynamics/solve_nodes.hpp"
 #include "lapilli/mpm/dynamics/surface_loads.hpp"
 
@@ -92,6 +93,7 @@ class Dynamics final : public Physics,
   void find_outside();
   void book_waiting(double step);
   void save_removed(Archive& archive) const;
+  void save_setting(Archive& archive) const;
   void load_removed(const Archive& archive);
   Balance energy_balance() const;
   double kinetic_energy_of(Index row) const;
@@ -102,6 +104,8 @@ class Dynamics final : public Physics,
   double kinetic_energy() const;
   double potential_energy() const;
   double elastic_energy_stored() const;
+  double elastic_strain() const;
+  OpenEnergy energy_looked_at() const;
   Vec3 linear_momentum() const;
 
   DynamicsData<Dim> data_;
@@ -109,10 +113,12 @@ class Dynamics final : public Physics,
   std::unique_ptr<Obstacles<Dim>> obstacles_;    // null without any
   std::unique_ptr<BodyContacts<Dim>> contacts_;  // null where all bodies are one
   std::vector<std::string> described_contacts_;
-  std::vector<std::string> early_stops_;  // of bodies that start anew
+  std::vector<std::string> start_notes_;  // of bodies that start anew
+  std::vector<double> spacing_;           // m, of the points of each body
   Flows flows_;
   Removed removed_;
   EnergyWatch watch_;
+  OpenEnergy open_energy_;
   double total_mass_ = 0.0;
   double initial_energy_ = 0.0, kinetic_ = 0.0;  // J
   Vec3 initial_momentum_ = Vec3::Zero();

@@ -57,7 +57,21 @@ void Dynamics<Dim>::save(Archive& archive) const {
   archive.write("dynamics/gravity", std::span<const double>(data_.gravity.data(), 3));
   archive.write("dynamics/gravity_changes", flows_.gravity_changes);
   archive.write("dynamics/impulse/initial", std::span<const double>(initial_momentum_.data(), 3));
+  archive.write("dynamics/open_energy", open_energy_.numbers());
   save_removed(archive);
+  save_setting(archive);
+}
+
+/// What a run that goes on from this one asks of it, by body.
+template <int Dim>
+void Dynamics<Dim>::save_setting(Archive& archive) const {
+  std::vector<double> density;
+  for (const StressMaterial& material : data_.materials) {
+    density.push_back(material.density);
+  }
+  archive.write("dynamics/body/density", density);
+  archive.write("dynamics/body/spacing", spacing_);
+  archive.write("dynamics/transfer", std::string(name_of(data_.settings.transfer)));
 }
 
 template <int Dim>
@@ -123,6 +137,7 @@ void Dynamics<Dim>::load(const Archive& archive) {
   archive.read("dynamics/gravity", std::span<double>(data_.gravity.data(), 3));
   flows_.gravity_changes = archive.read_number("dynamics/gravity_changes");
   archive.read("dynamics/impulse/initial", std::span<double>(initial_momentum_.data(), 3));
+  open_energy_.restore(archive.read_numbers("dynamics/open_energy"));
   load_removed(archive);
   ordering_ = data_.points.ordering();
 }

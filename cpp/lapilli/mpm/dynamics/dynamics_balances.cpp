@@ -5,81 +5,14 @@
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/mpm/dynamics/dynamics.hpp"
-#include "lapilli/mpm/dynamics/point_kernel.hpp"
+#include "lapilli/mpm/dynamics/point_values.hpp"
 
 namespace lapilli {
 namespace {
 
 constexpr const char* momentum_names[] = {"momentum x", "momentum y", "momentum z"};
 
-template <int Dim>
-SymmetricTensor stress_of(const DynamicsData<Dim>& data, Index row) {
-  constexpr int components = DynamicsData<Dim>::stress_components;
-  SymmetricTensor stress;
-  for (int c = 0; c < components; ++c) {
-    stress[c] = data.stress[row * components + c];
-  }
-  return stress;
-}
-
-/// Second moments of the shape function of a point along every axis, m2.
-template <int Dim>
-Vec<Dim> second_moments(const DynamicsData<Dim>& data, Index row) {
-  Vec<Dim> moments;
-  with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer>() {
-    const ShapeOfBody<Shape> shape_of(data.half_widths);
-    const AxisWeights<Dim, Shape> axes(data.grid, shape_of(data.points.body()[row]),
-                                       data.points.position().data() + row * Dim);
-    for (int axis = 0; axis < Dim; ++axis) {
-      moments[axis] = second_moment(axes, data.grid.cell_size(), axis);
-    }
-  });
-  return moments;
-}
-
 }  // namespace
-
-/// The affine matrix belongs to the place of the point at the start of the step.
-template <int Dim>
-double Dynamics<Dim>::kinetic_energy_of(Index row) const {
-  double square = Eigen::Map<const Vec<Dim>>(data_.velocity.data() + row * Dim).squaredNorm();
-  if (data_.affine) {
-    const Vec<Dim> moments = second_moments(data_, row);
-    const double* matrix = data_.affine->data() + row * Dim * Dim;
-    for (int k = 0; k < Dim * Dim; ++k) {
-      const double moment = moments[k % Dim];
-      if (moment > 0.0) {
-        square += matrix[k] * matrix[k] *
-                  (data_.settings.transfer == VelocityTransfer::apic ? 1.0 / moment : moment);
-      }
-    }
-  }
-  return 0.5 * data_.mass[row] * square;
-}
-
-template <int Dim>
-double Dynamics<Dim>::kinetic_energy() const {
-  return parallel_sum(data_.points.size(), 0.0, [&](Index row) { return kinetic_energy_of(row); });
-}
-
-template <int Dim>
-double Dynamics<Dim>::potential_energy() const {
-  const Vec<Dim> gravity = data_.gravity.template head<Dim>();
-  return parallel_sum(data_.points.size(), 0.0, [&](Index row) {
-    return -data_.mass[row] * gravity.dot(data_.points.template position<Dim>(row));
-  });
-}
-
-template <int Dim>
-double Dynamics<Dim>::elastic_energy_of(Index row) const {
-  return data_.points.volume()[row] *
-         elastic_energy(data_.materials[data_.points.body()[row]], stress_of(data_, row));
-}
-
-template <int Dim>
-double Dynamics<Dim>::elastic_energy_stored() const {
-  return parallel_sum(data_.points.size(), 0.0, [&](Index row) { return elastic_energy_of(row); });
-}
 
 template <int Dim>
 Vec3 Dynamics<Dim>::linear_momentum() const {
@@ -257,16 +190,6 @@ std::vector<Field> Dynamics<Dim>::fields() {
   return all;
 }
 
-template double Dynamics<2>::kinetic_energy() const;
-template double Dynamics<3>::kinetic_energy() const;
-template double Dynamics<2>::kinetic_energy_of(Index) const;
-template double Dynamics<3>::kinetic_energy_of(Index) const;
-template double Dynamics<2>::potential_energy() const;
-template double Dynamics<3>::potential_energy() const;
-template double Dynamics<2>::elastic_energy_of(Index) const;
-template double Dynamics<3>::elastic_energy_of(Index) const;
-template double Dynamics<2>::elastic_energy_stored() const;
-template double Dynamics<3>::elastic_energy_stored() const;
 template Vec3 Dynamics<2>::linear_momentum() const;
 template Vec3 Dynamics<3>::linear_momentum() const;
 template Vec3 Dynamics<2>::angular_momentum() const;

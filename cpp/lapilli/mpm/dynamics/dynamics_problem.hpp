@@ -24,6 +24,7 @@ struct DynamicsBody {
   std::function<SymmetricTensor(const Vec3&)> stress;  // Pa at the start; empty: none
   std::string name = {};                               // in the history; empty: its number
   std::string label = "a body";                        // in messages: "body 'sand'"
+  double spacing = 0.0;                                // m, of the fill, for runs that go on
 };
 
 struct PointStart;
@@ -37,7 +38,8 @@ struct DynamicsProblem {
   DynamicsSettings settings;
   DistanceFunction distance = {};  // signed distance to the union of the bodies; may be empty
   std::vector<Shape> shapes = {};  // by body; empty where not all are known, or bodies go on
-  std::shared_ptr<const PointStart> start = {};  // null where all points start anew
+  std::shared_ptr<const PointStart> start = {};          // null where all points start anew
+  std::function<std::vector<std::string>()> notes = {};  // on the stresses that bodies started with
 };
 
 }  // namespace lapilli

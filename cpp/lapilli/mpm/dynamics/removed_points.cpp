@@ -99,7 +99,9 @@ std::vector<std::string> Dynamics<Dim>::warnings() const {
         "grid.shape_function bspline damps what vibrates, by a quarter of its energy in a hundred "
         "periods; gimp does not");
   }
-  all.insert(all.end(), early_stops_.begin(), early_stops_.end());
+  all.insert(all.end(), start_notes_.begin(), start_notes_.end());
+  const std::vector<std::string> open = energy_looked_at().warnings();
+  all.insert(all.end(), open.begin(), open.end());
   if (loads_) {
     const std::vector<std::string> lost = loads_->warnings();
     all.insert(all.end(), lost.begin(), lost.end());

@@ -203,7 +203,8 @@ void SurfaceLoads<Dim>::find_surface(const DynamicsData<Dim>& data) {
   const auto parts = divide_surface<Dim>(
       data.grid, areas,
       [&] {
-        return surface_places<Dim>(data.grid, data.points, data.shape, data.half_widths, areas);
+        return surface_places<Dim>(data.grid, data.points, data.shape, data.half_widths, areas,
+                                   contact_faces(data.walls));
       },
       regions_of(laws_));
   for (std::size_t law = 0; law < laws_.size(); ++law) {

@@ -86,7 +86,8 @@ void NodalHeat<Dim>::assemble() {
     const NodalAreas<Dim> areas = surface.areas(points_, coefficients_, sums);
     negative_share_ = areas.negative_share();
     laws_.assign(grid, areas, [&] {
-      return surface_places<Dim>(grid, points_, problem_.shape, coefficients_.half_width, areas);
+      return surface_places<Dim>(grid, points_, problem_.shape, coefficients_.half_width, areas,
+                                 problem_.walls);
     });
     laws_.require_all_used();
     if (laws_.has_held_temperature()) {

@@ -181,7 +181,7 @@ void ParticleHeat<Dim>::find_surface() {
   negative_share_ = areas.negative_share();
   laws_.assign(problem_.grid, areas, [&] {
     return surface_places<Dim>(problem_.grid, points_, problem_.shape, coefficients_.half_width,
-                               areas);
+                               areas, problem_.walls);
   });
   if (laws_.has_held_temperature()) {
     const auto is_active = [&](Index node) { return grid_.capacity[node] > 0.0; };

@@ -20,16 +20,16 @@ constexpr double least_along = 0.1;   // of a corner's area vector along its wei
 /// Share of a piece of surface that a region covers, by a ramp over `width` cells of the piece.
 template <int Dim>
 double covered(const Shape& region, const Vec3& centre, const Vec<Dim>& direction, double cell,
-               double width) {
+               const Vec<Dim>& width) {
   const double from = distance(region, centre);
   if (std::abs(from) > 2.0 * cell) {
     return from < 0.0 ? 1.0 : 0.0;
   }
   const Vec<Dim> outward = gradient(region, centre).template head<Dim>();
   const double across = outward.dot(direction);
-  const double along = (outward - across * direction).template lpNorm<1>();
+  const double along = (outward - across * direction).cwiseProduct(width).template lpNorm<1>();
   const double reach = slack * cell * std::pow(across, 8);
-  return std::clamp(0.5 - (from - reach) / (cell * std::max(width * along, least_width)), 0.0, 1.0);
+  return std::clamp(0.5 - (from - reach) / (cell * std::max(along, least_width)), 0.0, 1.0);
 }
 
 /// Divides pieces of surface among laws; what no law has counts as one more, the last.
@@ -47,7 +47,7 @@ class Division {
 
   /// Divide one node.
   void divide(std::size_t k) {
-    share(places_[k].centre, places_[k].direction, 1.0, shares);
+    share(places_[k].centre, places_[k].direction, places_[k].width, shares);
     for (std::size_t law = 0; law < shares.size(); ++law) {
       vectors[law] = shares[law] * areas_.vector[k];
     }
@@ -61,7 +61,7 @@ class Division {
   std::vector<Vec<Dim>> vectors;
 
  private:
-  void share(const Vec3& centre, const Vec<Dim>& direction, double width,
+  void share(const Vec3& centre, const Vec<Dim>& direction, const Vec<Dim>& width,
              std::vector<double>& to) const {
     double left = 1.0;
     for (std::size_t law = 0; law < regions_.size(); ++law) {
@@ -90,7 +90,7 @@ class Division {
       }
       Vec3 centre = Vec3::Zero();
       centre.template head<Dim>() = grid_.node_position(areas_.node[k]) + offset;
-      share(centre, face.normal, corner_width, of_face);
+      share(centre, face.normal, Vec<Dim>::Constant(corner_width), of_face);
       for (std::size_t law = 0; law < shares.size(); ++law) {
         found[law] += of_face[law] * area * face.normal;
       }
@@ -140,13 +140,31 @@ std::vector<unsigned char> cells_near(const Grid<Dim>& grid, std::span<const Ind
   return near;
 }
 
+/// Of the surface across a face that is held, the half before it.
+template <int Dim>
+void halve_at_face(const Grid<Dim>& grid, Index node, int face, SurfacePlace<Dim>& place) {
+  constexpr int padding = Grid<Dim>::padding;
+  constexpr double most_across = 0.7;  // of the normal; more lies along the face
+  const int axis = face / 2, inward = face % 2 == 0 ? 1 : -1;
+  auto at = grid.node_at(node);
+  const int layer = inward > 0 ? padding : grid.nodes(axis) - 1 - padding;
+  if (inward * (at[axis] - layer) > 0 || std::abs(place.direction[axis]) > most_across) {
+    return;
+  }
+  at[axis] = layer;
+  const double wall = grid.node_position(grid.node_index(at))[axis];
+  place.centre[axis] = wall + inward * 0.25 * grid.cell_size();
+  place.width[axis] = 0.5;
+}
+
 }  // namespace
 
 template <int Dim>
 std::vector<SurfacePlace<Dim>> surface_places(const Grid<Dim>& grid, const Points& points,
                                               ShapeFunction shape,
                                               std::span<const double> half_width,
-                                              const NodalAreas<Dim>& areas) {
+                                              const NodalAreas<Dim>& areas,
+                                              const ContactFaces& held) {
   const std::size_t count = areas.node.size();
   std::vector<int> row_of(static_cast<std::size_t>(grid.node_count()), -1);
   for (std::size_t k = 0; k < count; ++k) {
@@ -176,13 +194,18 @@ std::vector<SurfacePlace<Dim>> surface_places(const Grid<Dim>& grid, const Point
   std::vector<SurfacePlace<Dim>> places(count);
   for (std::size_t k = 0; k < count; ++k) {
     places[k] = {areas.position[k], areas.normal[k], Mat<Dim>::Zero()};
+    for (int face = 0; face < 2 * Dim; ++face) {
+      if (held[static_cast<std::size_t>(face)]) {
+        halve_at_face(grid, areas.node[k], face, places[k]);
+      }
+    }
     const Vec<Dim>& a = areas.vector[k];
     const double size = a.norm();
     if (size < least_part * std::pow(h, Dim - 1) || (a - vector[k]).norm() > 1e-9 * size) {
       continue;
     }
     const Vec<Dim> direction = a / size, offset = moment[k] * direction / size;
-    if (offset.norm() < farthest * h) {
+    if (offset.norm() < farthest * h && places[k].width.isOnes(0.0)) {
       places[k].centre.template head<Dim>() = grid.node_position(areas.node[k]) + offset;
       places[k].direction = direction;
       places[k].moment = moment[k];
@@ -219,12 +242,12 @@ std::vector<std::vector<SurfacePart<Dim>>> divide_surface(
   return parts;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                                 \
-  template std::vector<SurfacePlace<Dim>> surface_places(const Grid<Dim>&, const Points&,        \
-                                                         ShapeFunction, std::span<const double>, \
-                                                         const NodalAreas<Dim>&);                \
-  template std::vector<std::vector<SurfacePart<Dim>>> divide_surface(                            \
-      const Grid<Dim>&, const NodalAreas<Dim>&,                                                  \
+#define LAPILLI_INSTANTIATE(Dim)                                               \
+  template std::vector<SurfacePlace<Dim>> surface_places(                      \
+      const Grid<Dim>&, const Points&, ShapeFunction, std::span<const double>, \
+      const NodalAreas<Dim>&, const ContactFaces&);                            \
+  template std::vector<std::vector<SurfacePart<Dim>>> divide_surface(          \
+      const Grid<Dim>&, const NodalAreas<Dim>&,                                \
       const std::function<std::vector<SurfacePlace<Dim>>()>&, std::span<const Shape* const>);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

@@ -7,6 +7,7 @@
 #include "lapilli/core/points.hpp"
 #include "lapilli/geometry/shape.hpp"
 #include "lapilli/mpm/surface/nodal_surface.hpp"
+#include "lapilli/mpm/surface/wall_contact.hpp"
 
 namespace lapilli {
 
@@ -16,17 +17,20 @@ struct SurfacePlace {
   Vec3 centre;         // m, mean place of the surface, weighted by the node's shape function
   Vec<Dim> direction;  // of the area vector, unit or zero
   Mat<Dim> moment;     // integral of S (x - x_I) n, m^dim; zero where it is not known
+  Vec<Dim> width = Vec<Dim>::Ones();  // of the surface that the node stands for, cells
 };
 
 /// The place of every node of `areas`: from the first moments of the surface, integral of
 /// S (x - x_I) n over it = sum V ((x - x_I) grad S + S 1) over the points, exact where the surface
 /// is flat; the projected node where its area is nothing to divide by or was not taken from the
-/// points alone (at walls, by other methods). `half_width` (cells) is by body.
+/// points alone (at walls, by other methods). A node of a face that is held has the half of its
+/// surface before it. `half_width` (cells) is by body.
 template <int Dim>
 std::vector<SurfacePlace<Dim>> surface_places(const Grid<Dim>& grid, const Points& points,
                                               ShapeFunction shape,
                                               std::span<const double> half_width,
-                                              const NodalAreas<Dim>& areas);
+                                              const NodalAreas<Dim>& areas,
+                                              const ContactFaces& held);
 
 /// What a law has of one surface node.
 template <int Dim>

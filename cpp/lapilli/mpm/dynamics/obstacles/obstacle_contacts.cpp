@@ -58,7 +58,7 @@ ObstacleContacts<Dim>::ObstacleContacts(const DynamicsData<Dim>& data, const Obs
     lags_.push_back(lag_cells * data.grid.cell_size() / wave);
   }
   if (before != nullptr && earlier >= 0) {
-    motion_.load(*before->state, message("dynamics/obstacles/", earlier));
+    motion_.go_on(*before->state, message("dynamics/obstacles/", earlier));
   } else {
     motion_.set_span(before != nullptr ? before->time : 0.0, 0.0);
     require_nothing_inside(data);

@@ -41,11 +41,12 @@ RigidMotion::RigidMotion(const Obstacle& obstacle, int dimension, const std::str
   for (int axis = 0; axis < dimension; ++axis) {
     free.inverse_mass[axis] = is_held(obstacle, axes[axis]) ? 0.0 : 1.0 / known.mass;
   }
+  free.inertia = known.inertia;
+  free.angular_momentum = known.inertia * spin_;
   if (!is_held(obstacle, "rotation")) {
     free.inverse_inertia = inverse_of(known.inertia, dimension);
     free.greatest_inverse_inertia =
         Eigen::SelfAdjointEigenSolver<Mat3>(free.inverse_inertia).eigenvalues().maxCoeff();
-    free.angular_momentum = known.inertia * spin_;
   }
   free.force = obstacle.force;
   free.velocity_before = velocity_;
@@ -132,10 +133,18 @@ Vec3 RigidMotion::mean_velocity(const Vec3& x) const {
   return 0.5 * (velocity_ + free_->velocity_before) + spin.cross(x - center());
 }
 
+/// Where the spin is held, the moments of contacts change the account of momentum but not the spin.
 double RigidMotion::kinetic_energy() const {
-  return free_ ? 0.5 * free_->mass * velocity_.squaredNorm() +
-                     0.5 * spin_.dot(free_->angular_momentum)
-               : 0.0;
+  if (!free_) {
+    return 0.0;
+  }
+  const bool spins_on = free_->greatest_inverse_inertia == 0.0;
+  const Vec3 momentum = spins_on ? momentum_of_spin() : free_->angular_momentum;
+  return 0.5 * free_->mass * velocity_.squaredNorm() + 0.5 * spin_.dot(momentum);
+}
+
+Vec3 RigidMotion::momentum_of_spin() const {
+  return turn_ * (free_->inertia * (turn_.transpose() * spin_));
 }
 
 void RigidMotion::turn_by(const Vec3& angles) {
@@ -181,6 +190,18 @@ void RigidMotion::load(const Archive& archive, const std::string& prefix) {
     std::copy_n(from + 9, 3, free_->angular_momentum.data());
     free_->velocity_before = velocity_;
     free_->spin_before = spin_;
+  }
+}
+
+void RigidMotion::go_on(const Archive& archive, const std::string& prefix) {
+  load(archive, prefix);
+  if (!free_) {
+    return;
+  }
+  constexpr double rounding = 1e-9;
+  const Vec3 momentum = momentum_of_spin();
+  if (!((free_->angular_momentum - momentum).norm() <= rounding * momentum.norm())) {
+    free_->angular_momentum = momentum;
   }
 }
 

@@ -59,11 +59,15 @@ class RigidMotion {
 
   void save(Archive& archive, const std::string& prefix) const;
   void load(const Archive& archive, const std::string& prefix);
+  /// The same of a stage before, in which mass, shape or what is held may have been others: place,
+  /// velocity and spin go on.
+  void go_on(const Archive& archive, const std::string& prefix);
 
  private:
   struct Free {
     double mass = 0.0;                      // kg
     Vec3 inverse_mass = Vec3::Zero();       // 1/kg along each axis; 0: held
+    Mat3 inertia = Mat3::Zero();            // kg m2, at the start
     Mat3 inverse_inertia = Mat3::Zero();    // at the start; 0: held
     double greatest_inverse_inertia = 0.0;  // its largest eigenvalue, 1/(kg m2)
     std::vector<Value> force;               // N
@@ -73,6 +77,7 @@ class RigidMotion {
 
   void turn_by(const Vec3& angles);
   void update_spin();
+  Vec3 momentum_of_spin() const;
 
   Value factor_;
   Vec3 speed_ = Vec3::Zero(), center_ = Vec3::Zero(), axis_ = Vec3::UnitZ();

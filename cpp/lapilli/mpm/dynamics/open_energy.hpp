@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lapilli/core/balance.hpp"
+
+namespace lapilli {
+
+/// What the account of energy leaves open, looked at now and then: a run that loses or makes energy
+/// without a name says so, and one whose solids strain so far that what they store is no more the
+/// energy of their law.
+class OpenEnergy {
+ public:
+  /// `largest`: J, the largest energy so far. `strain`: elastic, where the energy is.
+  void look(const Balance& energy, double largest, double strain);
+  std::vector<std::string> warnings() const;
+
+  std::vector<double> numbers() const { return {gap_, reference_, strain_}; }
+  void restore(const std::vector<double>& numbers);
+
+ private:
+  double gap_ = 0.0, reference_ = 0.0;  // J, largest so far
+  double strain_ = 0.0;                 // largest so far
+};
+
+}  // namespace lapilli
