@@ -125,7 +125,7 @@ DAY = 86400.0
 def cooling_block(value: object) -> lp.Scene:
     """It cools for a day; a heater of 1 W/m^2 is switched on for a while."""
     return lp.Scene(
-        grid=lp.Grid(lower=(-0.02, -0.02), upper=(0.12, 0.07), cell=0.005),
+        grid=lp.Grid(lower=(-0.02, -0.02), upper=(0.12, 0.07), cell=0.0025),
         bodies=[
             lp.Body(
                 shape=lp.Box(lower=(0, 0), upper=(0.1, 0.05)),
@@ -148,7 +148,7 @@ def cooling_block(value: object) -> lp.Scene:
 
 
 @pytest.mark.parametrize("minutes", [5.0, 20.0])
-@pytest.mark.parametrize("share", [0.58, 0.81])
+@pytest.mark.parametrize("share", [0.58])
 def test_a_pulse_of_a_function_arrives(minutes: float, share: float) -> None:
     """Anywhere in a run of implicit steps, which without it are as long as hours."""
     begin, width = share * DAY, 60.0 * minutes
