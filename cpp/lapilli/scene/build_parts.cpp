@@ -3,12 +3,16 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lapilli/geometry/checks.hpp"
 #include "lapilli/geometry/combine.hpp"
+#include "lapilli/geometry/pace_of_motion.hpp"
+#include "lapilli/geometry/step_of_motion.hpp"
 #include "lapilli/mpm/dynamics/dynamics.hpp"
 #include "lapilli/mpm/dynamics/plastic_heat.hpp"
 #include "lapilli/mpm/dynamics/thermal_strain.hpp"
+#include "lapilli/mpm/heat/follows_changes.hpp"
 #include "lapilli/mpm/heat/heat_in_body_frame.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/heat/particle_heat.hpp"
@@ -225,6 +229,32 @@ void couple(const Scene& scene, const Beginning& beginning, Points& points, Part
 }
 
 template <int Dim>
+void add_motion(const Scene& scene, Points& points, PhysicsList& physics) {
+  std::vector<std::optional<Motion>> motions;
+  for (const Body& body : scene.bodies) {
+    motions.push_back(body.motion);
+  }
+  // Heat in the frame of the bodies does not ask where they are, unless its conditions do.
+  const auto* in_frame =
+      physics.size() == 1 ? dynamic_cast<HeatInBodyFrame<Dim>*>(physics.front().get()) : nullptr;
+  const bool matters = scene.heat && (in_frame == nullptr || in_frame->depends_on_place());
+  const double longest = matters ? step_of_motion<Dim>(points, motions, scene.grid.cell)
+                                 : std::numeric_limits<double>::infinity();
+  for (const auto& one : physics) {
+    if (auto* follower = dynamic_cast<FollowsChanges*>(one.get())) {
+      follower->follow_changes(scene.time.end, longest);
+    }
+  }
+  if (has_motion(scene)) {
+    physics.push_back(
+        std::make_unique<PrescribedMotion<Dim>>(points, std::move(motions), in_frame != nullptr));
+  }
+  if (std::isfinite(longest)) {
+    physics.push_back(std::make_unique<PaceOfMotion>(longest));
+  }
+}
+
+template <int Dim>
 Parts parts_in(const Scene& scene, const Beginning& beginning) {
   const Grid<Dim> grid = grid_of<Dim>(scene);
   const std::vector<FilledPoints> walls = fill_walls(scene, beginning.filled);
@@ -252,16 +282,7 @@ Parts parts_in(const Scene& scene, const Beginning& beginning) {
       physics.push_back(std::move(one));
     }
   }
-  if (has_motion(scene)) {
-    std::vector<std::optional<Motion>> motions;
-    for (const Body& body : scene.bodies) {
-      motions.push_back(body.motion);
-    }
-    // Heat in the frame of the bodies does not ask where they are.
-    const bool lazy = physics.size() == 1 &&
-                      dynamic_cast<HeatInBodyFrame<Dim>*>(physics.front().get()) != nullptr;
-    physics.push_back(std::make_unique<PrescribedMotion<Dim>>(*points, std::move(motions), lazy));
-  }
+  add_motion<Dim>(scene, *points, physics);
   return {std::move(points), std::move(physics), {}};
 }
 

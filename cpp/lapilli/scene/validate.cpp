@@ -12,6 +12,7 @@
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/validate_heat.hpp"
+#include "lapilli/scene/validate_names.hpp"
 #include "lapilli/scene/validate_peridynamics.hpp"
 #include "lapilli/scene/validate_stages.hpp"
 
@@ -313,6 +314,7 @@ void validate(const Scene& as_written) {
   mistakes.gather([&] { validate_peridynamics(scene); });
   mistakes.gather([&] { validate_heat(scene); });
   mistakes.gather([&] { check_probes(scene); });
+  validate_names(scene, mistakes);
   mistakes.gather([&] {
     require_at(scene.initial_state.empty() || scene.dynamics, scene, "initial_state",
                "has no effect without [dynamics]");

@@ -7,7 +7,9 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/asks_for_points.hpp"
+#include "lapilli/mpm/heat/heat_in_body_frame.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
+#include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/common_motion.hpp"
 #include "lapilli/scene/place_errors.hpp"
 
@@ -93,10 +95,55 @@ std::vector<std::string> strong_convection_warnings(const Scene& scene) {
   return all;
 }
 
+/// A temperature exactly at a single melting point says nothing of the state there.
+std::string melting_point_note(const Body& body, std::size_t k) {
+  const auto* thermal = material_in<Thermal>(body);
+  const bool at_it = thermal != nullptr && thermal->melts() && body.temperature.is_constant() &&
+                     thermal->melting_begins() == thermal->melting_ends() &&
+                     body.temperature.at(0.0) == thermal->melting_begins();
+  return at_it ? message("bodies.", k, ".temperature is the melting point itself: the body starts ",
+                         "solid; set it a little above to start liquid")
+               : std::string();
+}
+
+/// Whether a turn leaves the conductivity as it is.
+bool is_isotropic(const Thermal& thermal, int dimension) {
+  if (thermal.conductivity.varies()) {
+    return true;
+  }
+  const SymmetricTensor& k = thermal.conductivity.constant();
+  constexpr int xx = 0, yy = 1, xy = 3;
+  return dimension == 2 ? k[xx] == k[yy] && k[xy] == 0.0 : k.is_scalar();
+}
+
+/// Conductivities are given, and stay, along the axes of the grid, but for bodies that one rigid
+/// motion moves, whose axes turn with it.
+std::string axes_note(const Scene& scene, std::size_t k) {
+  const Body& body = scene.bodies[k];
+  const auto* thermal = material_in<Thermal>(body);
+  if (thermal == nullptr || is_isotropic(*thermal, dimension_of(scene))) {
+    return {};
+  }
+  const bool by_points = has_moving_points(scene) &&
+                         !bears_body_frame(*scene.heat, common_motion(scene), dimension_of(scene));
+  const bool turns =
+      scene.dynamics || (body.motion && !std::holds_alternative<Translation>(*body.motion));
+  if (by_points && turns) {
+    return message("bodies.", k, ".material: the axes of its conductivity stay those of the grid ",
+                   "where the body turns");
+  }
+  return body.rotation != 0.0
+             ? message("bodies.", k, ".rotation does not turn the conductivity, which is given ",
+                       "along the axes of the grid")
+             : std::string();
+}
+
 }  // namespace
 
 bool is_heat_of_points(const Scene& scene) {
-  return asks_for_points(*scene.heat) || (has_moving_points(scene) && !common_motion(scene)) ||
+  return asks_for_points(*scene.heat) ||
+         (has_moving_points(scene) &&
+          !bears_body_frame(*scene.heat, common_motion(scene), dimension_of(scene))) ||
          std::any_of(scene.bodies.begin(), scene.bodies.end(),
                      [](const Body& body) { return !body.shape; });
 }
@@ -113,6 +160,13 @@ std::vector<std::string> heat_warnings(const Scene& scene) {
                             " is known by its points alone: the area of its surface is right to 1 "
                             "to 2 %, of points strewn at random to 8 %, and does not converge; "
                             "give its shape"));
+    }
+  }
+  for (std::size_t k = 0; scene.heat && k < scene.bodies.size(); ++k) {
+    for (std::string note : {melting_point_note(scene.bodies[k], k), axes_note(scene, k)}) {
+      if (!note.empty()) {
+        all.push_back(std::move(note));
+      }
     }
   }
   if (scene.heat && is_heat_of_points(scene)) {

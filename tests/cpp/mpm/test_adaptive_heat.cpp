@@ -80,5 +80,18 @@ TEST_CASE("Implicit steps come when they pay, follow their error and leave for j
   CHECK_FALSE(steps.choose(350.0, 290.0, never));  // counts from the jump
 }
 
+TEST_CASE("No implicit step is longer than what changes asks for") {
+  const double never = 1e300;
+  AdaptiveSteps steps(1e-4, 0.1, 100.0);
+  steps.bound(12.0);
+  CHECK(steps.choose(1e4, 0.0, never));
+  CHECK(steps.size() == Approx(12.0));
+  steps.follow(12.0, 1e-9);
+  CHECK(steps.size() == Approx(12.0));
+  AdaptiveSteps explicit_ones(1e-4, 0.1, 100.0);
+  explicit_ones.bound(9.0);
+  CHECK_FALSE(explicit_ones.choose(1e6, 0.0, never));
+}
+
 }  // namespace
 }  // namespace lapilli

@@ -3,6 +3,8 @@ the tolerance, say how large their error is, and lose neither heat nor a jump of
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import numpy.typing as npt
 import pytest
@@ -115,3 +117,57 @@ def test_a_given_step_and_points_that_move_stay_explicit() -> None:
     given = lp.Simulation(scene.set(f"time.step={step!r}"))
     given.step()
     assert "heat/implicit_steps" not in given.diagnostics()
+
+
+DAY = 86400.0
+
+
+def cooling_block(value: object) -> lp.Scene:
+    """It cools for a day; a heater of 1 W/m^2 is switched on for a while."""
+    return lp.Scene(
+        grid=lp.Grid(lower=(-0.02, -0.02), upper=(0.12, 0.07), cell=0.0025),
+        bodies=[
+            lp.Body(
+                shape=lp.Box(lower=(0, 0), upper=(0.1, 0.05)),
+                material=lp.Thermal(density=2000, specific_heat=900, conductivity=1),
+                temperature=350.0,
+            )
+        ],
+        heat=lp.Heat(
+            boundaries=[
+                lp.Flux(
+                    name="heater",
+                    value=value,
+                    region=lp.HalfSpace(point=(0, 0.0495), normal=(0, -1)),
+                ),
+                lp.Convection(name="air", coefficient=10.0, ambient=300.0),
+            ]
+        ),
+        time=lp.Time(end=DAY),
+    )
+
+
+@pytest.mark.parametrize("minutes", [5.0, 20.0])
+@pytest.mark.parametrize("share", [0.58])
+def test_a_pulse_of_a_function_arrives(minutes: float, share: float) -> None:
+    """Anywhere in a run of implicit steps, which without it are as long as hours."""
+    begin, width = share * DAY, 60.0 * minutes
+
+    def heater(place: Array, _temperature: Array, time: float) -> Array:
+        return np.full(len(place), 1.0 if begin <= time < begin + width else 0.0)
+
+    simulation = lp.Simulation(cooling_block(heater))
+    simulation.run_until(DAY)
+    given = simulation.balance()[0].entries["heater"]
+    # Explicit steps of 20 s cut it to whole ones.
+    assert given == pytest.approx(0.101 * width, rel=0.02 + 40.0 / width)
+
+
+def test_functions_in_implicit_steps_say_what_may_be_missed(tmp_path: Path) -> None:
+    def still(place: Array, _temperature: Array, _time: float) -> Array:
+        return np.zeros(len(place))
+
+    for value, says in ((still, True), (0.0, False)):
+        result = lp.run(cooling_block(value), tmp_path / f"{says}.vtkhdf", progress=False)
+        assert result.history["heat/implicit_steps"][-1] > 0
+        assert any("may miss what functions do" in note for note in result.warnings) is says

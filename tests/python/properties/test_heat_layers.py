@@ -168,3 +168,32 @@ def test_the_contact_that_the_warning_names_is_exact() -> None:
     scene.time = lp.Time(end=0.2)
     assert power(scene) == pytest.approx(exact, rel=0.01)
     assert not says_so(scene)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_joint_on_a_line_lies_where_it_lies(seed: int) -> None:
+    """A flux through two materials whose joint is off the lattice: each has its own gradient."""
+    rng = np.random.default_rng(seed)
+    joint, poor = rng.uniform(0.25, 0.75), 10 ** rng.uniform(-1.5, 0.0)
+    parts = ((0.0, joint, 1.0), (joint, 1.0, poor))
+    scene = lp.Scene(
+        grid=lp.Grid(lower=(-0.2,), upper=(1.2,), cell=0.1),
+        bodies=[
+            lp.Body(
+                shape=lp.Box(lower=(left,), upper=(right,)),
+                material=lp.Thermal(density=1, specific_heat=1, conductivity=conducts),
+            )
+            for left, right, conducts in parts
+        ],
+        heat=lp.Heat(
+            boundaries=[
+                lp.Flux(value=1.0, region=lp.HalfSpace(point=(0.01,), normal=(1,))),
+                lp.Flux(value=-1.0, region=lp.HalfSpace(point=(0.99,), normal=(-1,))),
+            ]
+        ),
+        probes=[lp.Probe(name="left", position=(0.02,)), lp.Probe(name="right", position=(0.98,))],
+        time=lp.Time(end=10.0 / poor),
+    )
+    result = lp.run(scene, progress=False)
+    fall = result.history["left"][-1] - result.history["right"][-1]
+    assert fall == pytest.approx((joint - 0.02) + (0.98 - joint) / poor, rel=2e-3)

@@ -3,6 +3,7 @@ do not fit the grid, against closed forms."""
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from scipy.optimize import brentq
 from scipy.special import erf, erfc
 
 import lapilli as lp
+from lapilli import _core
 
 Array = npt.NDArray[np.float64]
 
@@ -346,3 +348,29 @@ def test_what_cannot_be_is_refused_by_name() -> None:
     one = lp.Body(name="one", shape=bar.piece(0, 0.4), material=melting)
     with pytest.raises(ValueError, match="leave heat"):
         lp.Simulation(bar.scene([one], end=1.0, time_integration="implicit"))
+
+
+def test_a_start_at_a_single_melting_point_says_that_it_is_solid() -> None:
+    def notes(temperature: float, **melting: float) -> list[str]:
+        scene = lp.Scene(
+            grid=lp.Grid(lower=(-0.2, -0.2), upper=(1.2, 1.2), cell=0.2),
+            bodies=[
+                lp.Body(
+                    shape=lp.Box(lower=(0, 0), upper=(1, 1)),
+                    material=lp.Thermal(
+                        density=1, specific_heat=1, conductivity=1, latent_heat=10, **melting
+                    ),
+                    temperature=temperature,
+                )
+            ],
+            heat=lp.Heat(),
+            time=lp.Time(end=1e-3),
+        )
+        found = json.loads(_core.check_json(scene))["notes"]
+        return [note for note in found if "starts solid" in note]
+
+    assert len(notes(273.15, solidus=273.15)) == 1
+    assert len(notes(273.15, liquidus=273.15)) == 1
+    assert len(notes(273.15, solidus=273.15, liquidus=273.15)) == 1
+    assert notes(273.16, solidus=273.15) == []
+    assert notes(273.15, solidus=273.15, liquidus=274.0) == []

@@ -32,7 +32,7 @@ bool AdaptiveSteps::choose(double time, double last_jump, double next_entry) {
   }
   since_ = std::max(since_, last_jump);
   const double share = share_at_1e_4 * std::cbrt(tolerance_ / 1e-4);
-  const double size = std::min(0.5, share) * (time - since_);
+  const double size = std::min(longest_, std::min(0.5, share) * (time - since_));
   if (std::min(size, next_entry - time) < worth_ * explicit_step_) {
     return false;
   }
@@ -48,7 +48,7 @@ double AdaptiveSteps::shorter(double size, double error) const {
 void AdaptiveSteps::follow(double size, double error) {
   constexpr double caution = 0.9, most = 2.0, worth_a_new_factor = 1.5;
   const double factor = error > 0.0 ? std::min(most, caution * std::cbrt(allowed_ / error)) : most;
-  const double wanted = size * factor;
+  const double wanted = std::min(longest_, size * factor);
   const bool shortened = size < (1.0 - 1e-6) * size_;  // to end at a frame or an entry
   if (shortened && factor == most) {
     return;

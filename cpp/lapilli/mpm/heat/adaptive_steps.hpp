@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "lapilli/core/archive.hpp"
@@ -17,6 +18,9 @@ class AdaptiveSteps {
   /// `tolerance` as a share of the span of temperatures; `explicit_step` in s; an implicit step
   /// costs as much as `worth` explicit ones.
   AdaptiveSteps(double tolerance, double explicit_step, double worth);
+
+  /// Take no implicit step that is longer, s, where something changes that fast.
+  void bound(double longest) { longest_ = longest; }
 
   bool are_implicit() const { return implicit_; }
   /// Of the next implicit step, s.
@@ -43,6 +47,7 @@ class AdaptiveSteps {
  private:
   double tolerance_ = 0.0, allowed_ = 0.0;  // of the whole run, of one step
   double explicit_step_ = 0.0, worth_ = 0.0;
+  double longest_ = std::numeric_limits<double>::infinity();  // s
   bool implicit_ = false;
   double size_ = 0.0;   // s
   double since_ = 0.0;  // s, from where the time since is counted: a jump, or the last failure

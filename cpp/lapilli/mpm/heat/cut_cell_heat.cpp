@@ -17,8 +17,12 @@ bool CutCellHeat<Dim>::suits(const HeatProblem<Dim>& problem) {
   const HeatSettings& settings = problem.settings;
   // On a line the points know the surface as well, and without a law that depends on its
   // temperature their capacities err less (rod under a flux, h = 0.1 m: 3.1e-5 against 1.1e-4 K).
+  // Points take a joint of two materials where their cells end (off the lattice: 5.5 %).
   const bool better_by_points =
       Dim == 1 && settings.contacts.empty() &&
+      std::all_of(
+          problem.bodies.begin(), problem.bodies.end(),
+          [&](const HeatBody& body) { return body.material == problem.bodies.front().material; }) &&
       std::none_of(problem.bodies.begin(), problem.bodies.end(),
                    [](const HeatBody& body) { return body.material.varies(); }) &&
       std::ranges::all_of(settings.boundaries,

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "lapilli/core/self_heating.hpp"
 #include "lapilli/core/warnings.hpp"
 #include "lapilli/mpm/heat/adaptive_steps.hpp"
+#include "lapilli/mpm/heat/follows_changes.hpp"
 #include "lapilli/mpm/heat/heat_part.hpp"
 #include "lapilli/mpm/heat/nodal_range.hpp"
 #include "lapilli/mpm/heat/point_fields.hpp"
@@ -21,7 +23,10 @@ namespace lapilli {
 /// Conduction is explicit (or theta), the surface implicit in either:
 ///   (C + dt M) dT = dt (-K T + E(T)),  E_I = integral of S_I rate(T) dA.
 template <int Dim>
-class CutCellHeat final : public Physics, public HasSurface, public Warnings {
+class CutCellHeat final : public Physics,
+                          public HasSurface,
+                          public Warnings,
+                          public FollowsChanges {
  public:
   CutCellHeat(Points& points, HeatProblem<Dim> problem);
 
@@ -29,6 +34,7 @@ class CutCellHeat final : public Physics, public HasSurface, public Warnings {
   static bool suits(const HeatProblem<Dim>& problem);
 
   std::string name() const override { return "heat"; }
+  void follow_changes(double end, double longest) override;
   StepLimit step_limit() const override;
   StepReport advance(const Step& step) override;
   void refresh_output() override;
@@ -97,6 +103,8 @@ class CutCellHeat final : public Physics, public HasSurface, public Warnings {
   struct Stage;
   struct Attempt;
   void begin_adaptive_steps();
+  /// The longest implicit steps that meet changes of functions, s.
+  double step_of_functions();
   void choose_steps(const Step& last);
   double next_entry(double time) const;
   /// Keep the rates of change of one step, or compare them with those of the step before.
@@ -143,6 +151,7 @@ class CutCellHeat final : public Physics, public HasSurface, public Warnings {
   double time_ = 0.0;  // s, of the temperatures
 
   AdaptiveSteps adaptive_;
+  double end_ = std::numeric_limits<double>::infinity();  // s, of the run, where known
   double lowest_ = 0.0, highest_ = 0.0;  // K, of all temperatures so far, for adaptive steps
   double explicit_error_ = 0.0;          // K, estimated
   Index implicit_steps_ = 0;

@@ -3,6 +3,7 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
+#include "lapilli/mpm/heat/functions_in_time.hpp"
 #include "lapilli/mpm/heat/heat_balance.hpp"
 #include "lapilli/mpm/heat/slanted_interfaces.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
@@ -110,7 +111,25 @@ SurfaceView CutCellHeat<Dim>::surface() const {
 
 template <int Dim>
 std::vector<std::string> CutCellHeat<Dim>::warnings() const {
-  return slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
+  std::vector<std::string> all =
+      slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
+  if (!is_adaptive()) {
+    return all;
+  }
+  if (implicit_steps_ > 0 && has_functions(problem_) && std::isfinite(end_)) {
+    all.push_back(message("implicit steps of heat may miss what functions do for less than ",
+                          FunctionsInTime(end_).spacing(),
+                          " s; tables are exact, and steps of heat.time_integration = \"explicit\" "
+                          "are shorter"));
+  }
+  const double error = largest_error() / temperature_span(),
+               tolerance = problem_.settings.tolerance;
+  if (error > 10.0 * tolerance) {
+    all.push_back(message("the error of the time integration of heat is estimated at ", error,
+                          " of the span of temperatures, heat.tolerance is ", tolerance,
+                          ": compare with a shorter time.step"));
+  }
+  return all;
 }
 
 template <int Dim>

@@ -4,6 +4,7 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
+#include "lapilli/mpm/heat/functions_in_time.hpp"
 
 namespace lapilli {
 namespace {
@@ -33,6 +34,39 @@ void CutCellHeat<Dim>::begin_adaptive_steps() {
   lowest_ = std::isfinite(range_.low) ? range_.low : std::numeric_limits<double>::infinity();
   highest_ = std::isfinite(range_.high) ? range_.high : -std::numeric_limits<double>::infinity();
   widen_span();
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::follow_changes(double end, double longest) {
+  end_ = end;
+  if (is_adaptive()) {
+    adaptive_.bound(std::min(longest, step_of_functions()));
+  }
+}
+
+template <int Dim>
+double CutCellHeat<Dim>::step_of_functions() {
+  FunctionsInTime functions(end_);
+  if (!has_functions(problem_)) {
+    return functions.step();
+  }
+  for (Solved& one : solved_) {
+    one.near.surface.evaluate(laws_, gather(one.near, one.part.temperature), 0.0, 0.0);
+    for (std::size_t law = 0; law < laws_.size(); ++law) {
+      const SurfaceSites& sites = one.near.surface.sites(law);
+      for (const Value* value : values_of(laws_[law])) {
+        functions.ask(*value, sites.position, sites.state);
+      }
+    }
+    for (const auto& own : one.part.sources) {
+      std::vector<double> state;
+      for (const Index place : own.place) {
+        state.push_back(one.part.temperature[place]);
+      }
+      functions.ask(problem_.bodies[own.body].source, own.position, state);
+    }
+  }
+  return functions.step();
 }
 
 template <int Dim>
@@ -178,6 +212,8 @@ void CutCellHeat<Dim>::load_stepping(const Archive& archive) {
 
 #define LAPILLI_INSTANTIATE(Dim)                                         \
   template void CutCellHeat<Dim>::begin_adaptive_steps();                \
+  template double CutCellHeat<Dim>::step_of_functions();                 \
+  template void CutCellHeat<Dim>::follow_changes(double, double);        \
   template double CutCellHeat<Dim>::next_entry(double) const;            \
   template void CutCellHeat<Dim>::choose_steps(const Step&);             \
   template void CutCellHeat<Dim>::watch_curvature(Solved&, const Step&); \

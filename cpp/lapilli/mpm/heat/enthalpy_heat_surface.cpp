@@ -1,10 +1,35 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/enthalpy_heat.hpp"
 #include "lapilli/mpm/heat/weak_exchange.hpp"
 
 namespace lapilli {
+namespace {
+
+/// Newton's rounds may end at their bar or at rounding, not where the exchange is not met: RunError
+/// with the place where a residual (J) is left beside what was taken.
+template <int Dim>
+void require_solved(const SurfaceTerm::Vector& residual, const SurfaceTerm::Vector& taken,
+                    const Grid<Dim>& grid, const std::vector<std::array<int, 3>>& coordinates) {
+  constexpr double most = 1e-6;  // of what the surface takes up in a step
+  const double scale = taken.cwiseAbs().maxCoeff();
+  Eigen::Index worst = 0;
+  if (residual.cwiseAbs().maxCoeff(&worst) <= most * scale) {
+    return;
+  }
+  Vec<Dim> at = grid.origin();
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    at[static_cast<Eigen::Index>(axis)] +=
+        coordinates[static_cast<std::size_t>(worst)][axis] * grid.cell_size();
+  }
+  throw RunError(message("heat: what the surface exchanges was not found near (", at.transpose(),
+                         ") m: off by ", std::abs(residual[worst]) / scale,
+                         " of what it takes up in a step; give a smaller time.step"));
+}
+
+}  // namespace
 
 template <int Dim>
 void EnthalpyHeat<Dim>::connect_surface() {
@@ -177,6 +202,7 @@ typename EnthalpyHeat<Dim>::Vector EnthalpyHeat<Dim>::solve_surface(double size,
     stored = trial;
     residual = next;
   }
+  require_solved(residual, wanted - start, problem_.grid, coordinates_);
   return stored;
 }
 

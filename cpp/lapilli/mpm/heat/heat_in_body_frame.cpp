@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lapilli/core/parallel.hpp"
+#include "lapilli/mpm/heat/functions_in_time.hpp"
 
 namespace lapilli {
 namespace {
@@ -42,26 +43,38 @@ HeatProblem<Dim> problem_in_frame(HeatProblem<Dim> problem, const Motion& motion
 
 }  // namespace
 
-template <int Dim>
-bool HeatInBodyFrame<Dim>::suits(const HeatProblem<Dim>& problem) {
-  const HeatSettings& settings = problem.settings;
-  return problem.frame && is_rigid(*problem.frame) && settings.method == FluxMethod::virtual_flux &&
+bool bears_body_frame(const HeatSettings& settings, const std::optional<Motion>& motion,
+                      int dimension) {
+  return motion && is_rigid(*motion) && settings.method == FluxMethod::virtual_flux &&
          (settings.transfer == HeatTransfer::automatic ||
           settings.transfer == HeatTransfer::nodal) &&
-         std::all_of(
-             settings.boundaries.begin(), settings.boundaries.end(), [&](const HeatBoundary& law) {
-               const Shape* region = region_of(law);
-               return region == nullptr || carries_into_itself(*problem.frame, *region, Dim);
-             });
+         std::all_of(settings.boundaries.begin(), settings.boundaries.end(),
+                     [&](const HeatBoundary& law) {
+                       const Shape* region = region_of(law);
+                       return region == nullptr || carries_into_itself(*motion, *region, dimension);
+                     });
+}
+
+template <int Dim>
+bool HeatInBodyFrame<Dim>::suits(const HeatProblem<Dim>& problem) {
+  return bears_body_frame(problem.settings, problem.frame, Dim);
 }
 
 template <int Dim>
 HeatInBodyFrame<Dim>::HeatInBodyFrame(Points& points, HeatProblem<Dim> problem)
     : points_(points),
       motion_(*problem.frame),
+      depends_on_place_(has_functions(problem)),
       at_rest_(make_heat<Dim>(points, problem_in_frame(std::move(problem), motion_))),
       start_(std::make_unique<PointArray>(points, Dim)) {
   std::copy(points.position().begin(), points.position().end(), start_->data());
+}
+
+template <int Dim>
+void HeatInBodyFrame<Dim>::follow_changes(double end, double longest) {
+  if (auto* follower = dynamic_cast<FollowsChanges*>(at_rest_.get())) {
+    follower->follow_changes(end, longest);
+  }
 }
 
 template <int Dim>
