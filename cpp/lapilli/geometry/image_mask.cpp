@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapilli/geometry/checks.hpp"
+#include "lapilli/geometry/pixel_outline.hpp"
 
 namespace lapilli {
 namespace {
@@ -94,6 +95,10 @@ Image given_image(const ImageMask& mask) {
   return image;
 }
 
+Vec<2> in_pixels(const ImageMask& mask, const Vec3& x) {
+  return {(x[0] - mask.origin[0]) / mask.pixel, (x[1] - mask.origin[1]) / mask.pixel};
+}
+
 }  // namespace
 
 PixelDistance::PixelDistance(int width, int height, const std::vector<bool>& inside)
@@ -135,17 +140,13 @@ const PixelDistance& pixels_of(const ImageMask& mask) {
 }
 
 double ImageMask::distance(const Vec3& x) const {
-  return pixel * pixels_of(*this).at((x[0] - origin[0]) / pixel, (x[1] - origin[1]) / pixel);
+  return pixel * outline_of(*this).nearest(in_pixels(*this, x)).distance;
 }
 
 Vec3 ImageMask::gradient(const Vec3& x) const {
-  const double step = 0.5 * pixel;
   Vec3 slope = Vec3::Zero();
-  for (int axis = 0; axis < 2; ++axis) {
-    const Vec3 e = step * Vec3::Unit(axis);
-    slope[axis] = distance(x + e) - distance(x - e);
-  }
-  return slope.norm() > 0.0 ? Vec3(slope.normalized()) : Vec3(Vec3::UnitX());
+  slope.head<2>() = outline_of(*this).nearest(in_pixels(*this, x)).normal;
+  return slope;
 }
 
 Bounds ImageMask::bounds() const {
@@ -184,7 +185,7 @@ void ImageMask::check(int dimension) const {
   require(std::find(inside.begin(), inside.end(), true) != inside.end(), "image: no pixel",
           file.empty() ? "" : " of ", file, " is ", dark ? "below" : "at or above",
           " the threshold ", threshold);
-  pixels = std::make_shared<const PixelDistance>(image.width, image.height, inside);
+  pixels = std::make_shared<const PixelOutline>(image.width, image.height, inside);
 }
 
 }  // namespace lapilli

@@ -13,8 +13,8 @@ namespace lapilli {
 class PixelDistance;
 
 /// The bright (or dark) pixels of an image, in the x-y plane; infinite along z. The image stands
-/// upright: its first row is on top. The distance is that between pixel centres less half a pixel,
-/// interpolated: edges along the axes lie exactly between pixels, elsewhere the surface is right
+/// upright: its first row is on top. The distance is that to the outline of the pixels (see
+/// PixelOutline): edges along the axes are those of pixels, others a smoothed staircase, right
 /// within a pixel.
 struct ImageMask {
   static constexpr const char* kind = "image";
@@ -55,7 +55,7 @@ class PixelDistance {
   int width() const { return width_; }
   int height() const { return height_; }
   bool inside(int column, int row) const { return sample(column, row) < 0.0; }
-  /// Signed distance in pixels at a place in pixels from the lower left corner.
+  /// Signed distance in pixels at a place in pixels from the lower left corner, to a pixel or so.
   double at(double x, double y) const;
 
  private:

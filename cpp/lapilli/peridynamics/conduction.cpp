@@ -4,11 +4,17 @@
 #include <cmath>
 
 #include "lapilli/core/parallel.hpp"
+#include "lapilli/peridynamics/fluid_surface.hpp"
 
 namespace lapilli {
 namespace {
 
 constexpr Index piece = 128;  // points worked on as one piece
+
+/// Whether a wall's heat is a flux times the area it shares with the fluid.
+bool acts_by_area(const Wall& wall) {
+  return wall.settings.heat == WallHeat::flux || wall.settings.heat == WallHeat::convection;
+}
 
 }  // namespace
 
@@ -19,25 +25,18 @@ Conduction<Dim>::Conduction(Points& points, const WallSurface& walls,
       walls_(walls),
       conductivity_(conductivity),
       bonds_(points, walls, settings, conductivity),
-      bond_area_(walls.walls().size(), 0.0),
+      share_(walls.walls().size(), 1.0),
       wall_area_(walls.walls().size(), 0.0) {
   for (const Wall& wall : walls.walls()) {
-    areas_matter_ |=
-        wall.settings.heat == WallHeat::flux || wall.settings.heat == WallHeat::convection;
+    areas_matter_ |= acts_by_area(wall);
   }
 }
 
 template <int Dim>
 void Conduction<Dim>::update() {
   const bool first = bonds_.first();
-  if (!bonds_.update()) {
-    return;
-  }
-  if (first || areas_matter_) {
-    measure_walls();
-  }
-  if (first) {
-    wall_area_ = bond_area_;
+  if (bonds_.update()) {
+    share_area(first);
   }
 }
 
@@ -45,10 +44,7 @@ template <int Dim>
 void Conduction<Dim>::refresh() {
   const bool first = bonds_.first();
   bonds_.refresh();
-  if (first) {
-    measure_walls();
-    wall_area_ = bond_area_;
-  }
+  share_area(first);
 }
 
 template <int Dim>
@@ -67,12 +63,21 @@ void Conduction<Dim>::for_wall_bonds(Index point, const Body& body) const {
 }
 
 template <int Dim>
-void Conduction<Dim>::measure_walls() {
-  std::fill(bond_area_.begin(), bond_area_.end(), 0.0);
+void Conduction<Dim>::share_area(bool first) {
+  if (first) {
+    wall_area_ = shared_areas(walls_);
+  }
+  if (!areas_matter_) {
+    return;
+  }
+  std::vector<double> met(wall_area_.size(), 0.0);
   for (Index i = 0; i < points_.size(); ++i) {
     if (families().owns(i) && families().wall_begin(i) < families().end(i)) {
-      for_wall_bonds(i, [&](const WallBond& bond) { bond_area_[bond.wall] += bond.area; });
+      for_wall_bonds(i, [&](const WallBond& bond) { met[bond.wall] += bond.area; });
     }
+  }
+  for (std::size_t k = 0; k < met.size(); ++k) {
+    share_[k] = acts_by_area(walls_.walls()[k]) && met[k] > 0.0 ? wall_area_[k] / met[k] : 1.0;
   }
 }
 
@@ -102,14 +107,6 @@ void Conduction<Dim>::rates(const double* temperature, const std::vector<WallSta
   const auto walls = static_cast<Index>(surface.size());
   const Index tasks = (points_.size() + piece - 1) / piece;
   std::vector<double> partial(static_cast<std::size_t>(tasks * walls), 0.0);
-  // Prescribed fluxes bring in flux times the area of the wall, however the bonds lie.
-  std::vector<double> share(surface.size(), 1.0);
-  for (Index k = 0; k < walls; ++k) {
-    const WallHeat kind = walls_.walls()[k].settings.heat;
-    if ((kind == WallHeat::flux || kind == WallHeat::convection) && bond_area_[k] > 0.0) {
-      share[k] = wall_area_[k] / bond_area_[k];
-    }
-  }
   parallel_runs(tasks, [&](Index task) {
     for (Index i = task * piece; i < std::min(points_.size(), (task + 1) * piece); ++i) {
       rate[i] = 0.0;
@@ -124,7 +121,7 @@ void Conduction<Dim>::rates(const double* temperature, const std::vector<WallSta
       if (families().wall_begin(i) < families().end(i)) {
         for_wall_bonds(i, [&](const WallBond& bond) {
           const double heat =
-              share[bond.wall] * bond.area * flux_through(bond, surface[bond.wall], own);
+              share_[bond.wall] * bond.area * flux_through(bond, surface[bond.wall], own);
           partial[task * walls + bond.wall] += heat;
           sum += heat;
         });
@@ -183,7 +180,7 @@ void Conduction<Dim>::diagonal(double* sum) const {
     if (families().wall_begin(i) < families().end(i)) {
       // What one kelvin more in the point drives back into walls.
       for_wall_bonds(i, [&](const WallBond& bond) {
-        sum[i] -= bond.area * flux_through(bond, still[bond.wall], 1.0);
+        sum[i] -= share_[bond.wall] * bond.area * flux_through(bond, still[bond.wall], 1.0);
       });
     }
   });
@@ -198,8 +195,9 @@ void Conduction<Dim>::wall_rows(const double* temperature, const std::vector<Wal
       return;
     }
     for_wall_bonds(i, [&](const WallBond& bond) {
-      flux[i] += bond.area * flux_through(bond, surface[bond.wall], temperature[i]);
-      area[i] += bond.area;
+      const double met = share_[bond.wall] * bond.area;
+      flux[i] += met * flux_through(bond, surface[bond.wall], temperature[i]);
+      area[i] += met;
     });
     flux[i] = area[i] > 0.0 ? flux[i] / area[i] : 0.0;
   });

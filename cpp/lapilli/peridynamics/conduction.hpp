@@ -40,7 +40,9 @@ class Conduction final : public HeatExchange {
     double distance;  // of the fluid point from the surface, m
   };
 
-  void measure_walls();
+  /// What share of the area that its bonds stand for a wall's flux goes through, so that flux times
+  /// the area it shares with the fluid comes in, however the bonds lie.
+  void share_area(bool first);
   template <class Body>
   void for_wall_bonds(Index point, const Body& body) const;
   double flux_through(const WallBond& bond, const WallState& state, double temperature) const;
@@ -51,8 +53,9 @@ class Conduction final : public HeatExchange {
   const WallSurface& walls_;
   double conductivity_;
   Conductances<Dim> bonds_;
-  bool areas_matter_ = false;                  // some wall prescribes a flux per area
-  std::vector<double> bond_area_, wall_area_;  // as bonds see it now, and at the start
+  bool areas_matter_ = false;      // some wall prescribes a flux per area
+  std::vector<double> share_;      // by wall; 1 where it prescribes a temperature
+  std::vector<double> wall_area_;  // m^(Dim-1), shared with the fluid at the start
 };
 
 }  // namespace lapilli

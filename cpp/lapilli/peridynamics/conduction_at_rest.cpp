@@ -6,6 +6,7 @@
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/geometry/cell_list.hpp"
+#include "lapilli/peridynamics/fluid_surface.hpp"
 #include "lapilli/peridynamics/influence.hpp"
 
 namespace lapilli {
@@ -14,31 +15,6 @@ namespace {
 constexpr Index piece_size = 512;     // points worked on as one piece
 constexpr double nearest_only = 1.2;  // spacings
 constexpr double nearest = 0.1;       // spacings: no point is taken to be nearer to its surface
-
-using BoxIndex = std::array<long, 3>;
-
-BoxIndex box_of(const Vec3& at, const Vec3& lattice, double side, int dimension) {
-  BoxIndex box{0, 0, 0};
-  for (int d = 0; d < dimension; ++d) {
-    box[static_cast<std::size_t>(d)] = std::lround(std::floor((at[d] - lattice[d]) / side + 1e-9));
-  }
-  return box;
-}
-
-/// A corner of the boxes that points were filled into: the point deepest in the body sits in the
-/// middle of its box.
-Vec3 lattice_corner(const WallSurface& walls) {
-  Vec3 deepest = Vec3::Zero();
-  double least = 1e300;
-  for (Index i = 0; i < walls.points().size(); ++i) {
-    const double outside = walls.wall(i) < 0 ? walls.region()(walls.place(i)) : 1e300;
-    if (outside < least) {
-      least = outside;
-      deepest = walls.place(i);
-    }
-  }
-  return deepest - Vec3::Constant(0.5 * walls.spacing());
-}
 
 }  // namespace
 
@@ -104,38 +80,6 @@ bool ConductionAtRest<Dim>::follows_lattice() const {
 }
 
 template <int Dim>
-std::vector<std::vector<BoundaryPiece>> ConductionAtRest<Dim>::find_pieces(
-    const Vec3& lattice, std::vector<Vec3>& boxes) const {
-  const double side = walls_.spacing();
-  std::map<BoxIndex, bool> wanted;
-  for (Index i = 0; i < points_.size(); ++i) {
-    if (!fluid(i) || walls_.region()(walls_.place(i)) < -2.6 * side) {
-      continue;
-    }
-    const BoxIndex own = box_of(walls_.place(i), lattice, side, Dim);
-    for (int which = 0; which < (Dim == 1 ? 3 : Dim == 2 ? 9 : 27); ++which) {
-      BoxIndex box = own;
-      for (int d = 0, rest = which; d < Dim; ++d, rest /= 3) {
-        box[static_cast<std::size_t>(d)] += rest % 3 - 1;
-      }
-      wanted[box] = true;
-    }
-  }
-  SurfaceBoxes search{{}, side, Dim};
-  for (const auto& [box, found] : wanted) {
-    Vec3 lower = Vec3::Zero();
-    for (int d = 0; d < Dim; ++d) {
-      lower[d] = lattice[d] + static_cast<double>(box[static_cast<std::size_t>(d)]) * side;
-    }
-    search.lower.push_back(lower);
-  }
-  boxes = search.lower;
-  return boundary_pieces(walls_.region(), search, [&](const Vec3& place, const Vec3& normal) {
-    return walls_.wall_at(place, normal);
-  });
-}
-
-template <int Dim>
 void ConductionAtRest<Dim>::take_surface() {
   const auto rows = static_cast<std::size_t>(points_.size());
   const double side = walls_.spacing();
@@ -144,18 +88,18 @@ void ConductionAtRest<Dim>::take_surface() {
   for (std::size_t i = 0; i < rows; ++i) {
     surface_.moment[i] = Dim * points_.volume()[i];
   }
-  const Vec3 lattice = lattice_corner(walls_);
-  std::map<BoxIndex, std::vector<Index>> inhabitants;
+  const FluidSurface found = find_fluid_surface(walls_);
+  std::map<FluidSurface::BoxIndex, std::vector<Index>> inhabitants;
   for (Index i = 0; i < points_.size(); ++i) {
     if (fluid(i)) {
-      inhabitants[box_of(walls_.place(i), lattice, side, Dim)].push_back(i);
+      inhabitants[found.box_of(walls_.place(i))].push_back(i);
     }
   }
   const CellList near(points_.position(), Dim, 1.6 * side);
   // The point whose box a piece cuts; pieces of boxes without one point of their own go to the
   // nearest.
   const auto owner_of = [&](const BoundaryPiece& piece, const Vec3& box) {
-    const auto own = inhabitants.find(box_of(box + Vec3::Constant(0.5 * side), lattice, side, Dim));
+    const auto own = inhabitants.find(found.box_of(box + Vec3::Constant(0.5 * side)));
     if (own != inhabitants.end() && own->second.size() == 1) {
       return own->second.front();
     }
@@ -169,11 +113,9 @@ void ConductionAtRest<Dim>::take_surface() {
     });
     return best;
   };
-  std::vector<Vec3> boxes;
-  const auto pieces = find_pieces(lattice, boxes);
-  for (std::size_t b = 0; b < boxes.size(); ++b) {
-    for (const BoundaryPiece& piece : pieces[b]) {
-      const Index owner = owner_of(piece, boxes[b]);
+  for (std::size_t b = 0; b < found.boxes.size(); ++b) {
+    for (const BoundaryPiece& piece : found.pieces[b]) {
+      const Index owner = owner_of(piece, found.boxes[b]);
       if (owner >= 0) {
         const double ahead = piece.normal.dot(piece.place - walls_.place(owner));
         surface_.area[owner] += piece.area * piece.normal.head<Dim>();

@@ -49,8 +49,6 @@ class ConductionAtRest final : public HeatExchange {
 
   void find_bonds(const PeridynamicHeatSettings& settings, double horizon);
   bool follows_lattice() const;
-  std::vector<std::vector<BoundaryPiece>> find_pieces(const Vec3& lattice,
-                                                      std::vector<Vec3>& boxes) const;
   void take_surface();
   void add_contact(Index point, const BoundaryPiece& piece, double ahead);
   void close_bonds();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace lapilli {
@@ -49,7 +50,8 @@ void Insulation<Dim>::find(Index point) {
       const bool known = std::any_of(planes.begin(), planes.begin() + count, [&](const Plane& one) {
         return one.normal.dot(normal) > same_wall;
       });
-      if (!known && (!nearest || ahead < nearest->distance)) {
+      if (!known && (!nearest || ahead < nearest->distance) &&
+          insulated_at_foot(point, ahead, normal)) {
         nearest = Plane{ahead, normal};
       }
     }
@@ -58,6 +60,23 @@ void Insulation<Dim>::find(Index point) {
     }
     planes[static_cast<std::size_t>(count)] = *nearest;
   }
+}
+
+template <int Dim>
+bool Insulation<Dim>::insulated_at_foot(Index point, double ahead, const Vec<Dim>& normal) const {
+  const Vec<Dim> foot = points_.position<Dim>(point) - ahead * normal;
+  double least = std::numeric_limits<double>::infinity();
+  bool insulated = true;
+  for (Index bond = families_.wall_begin(point); bond < families_.end(point); ++bond) {
+    const Index j = families_.neighbour(bond);
+    const Eigen::Map<const Vec<Dim>> other(walls_.normal(j));
+    const double squared = (points_.position<Dim>(j) - foot).squaredNorm();
+    if (squared < least && other.dot(normal) > same_wall) {
+      least = squared;
+      insulated = adiabatic(j);
+    }
+  }
+  return insulated;
 }
 
 template <int Dim>

@@ -13,7 +13,8 @@ namespace lapilli {
 /// An adiabatic wall is a mirror: a bond between two points at distances a and b from it has an
 /// image of squared length r^2 + 4 a b, the same from both ends. A point in a corner sees up to Dim
 /// walls, and images across every set of them (exact where walls meet at right angles). Curved
-/// walls are taken as the plane nearest to the point.
+/// walls are taken as the plane nearest to the point. Which wall it is that a point stands before
+/// is told by the wall point nearest to its foot there.
 template <int Dim>
 class Insulation {
  public:
@@ -44,6 +45,10 @@ class Insulation {
   using Planes = std::array<Plane, Dim>;
 
   bool adiabatic(Index point) const;
+  /// Whether the wall is adiabatic where `point` stands before it, `ahead` (m) of it along
+  /// `normal`: a heated part of it is no mirror, nor are corners that it shares with a wall across
+  /// it.
+  bool insulated_at_foot(Index point, double ahead, const Vec<Dim>& normal) const;
   /// Which plane of `point` is the wall that another point sees as `plane`; -1: none.
   int same_plane(Index point, const Plane& plane) const;
   void add_images(Index point, Index bond, const Vec<Dim>& to, const Planes& planes,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lapilli/core/parallel.hpp"
+#include "lapilli/core/warnings.hpp"
 #include "lapilli/peridynamics/bond_scratch.hpp"
 #include "lapilli/peridynamics/bond_sums.hpp"
 #include "lapilli/peridynamics/equation_of_state.hpp"
@@ -25,7 +26,7 @@ inline constexpr Index flow_piece = 128;
 /// d_i the velocity v_s + (v_s - v_i) d_j/d_i. Not modelled: free surfaces, turbulence, a second
 /// fluid.
 template <int Dim>
-class PeridynamicFlow final : public Flow {
+class PeridynamicFlow final : public Flow, public Warnings {
  public:
   PeridynamicFlow(Points& points, std::shared_ptr<WallSurface> walls,
                   const PeridynamicFlowSettings& settings, const Fluid& fluid,
@@ -39,6 +40,8 @@ class PeridynamicFlow final : public Flow {
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
+  /// That the points are too few for the layers that flow and heat form.
+  std::vector<std::string> warnings() const override;
 
   const PointArray& velocity() const override { return velocity_; }
   PointArray& velocity() override {
@@ -78,6 +81,7 @@ class PeridynamicFlow final : public Flow {
   /// What the mean gradient does not explain of velocity differences, as a force per volume, N/m^3.
   Vec<Dim> zero_energy(Index point, const double* weights) const;
   void check_density();
+  double peclet() const;  // rms(v) times the width of the fluid over its diffusivity
 
   Vec<Dim> body_force(Index point) const;  // acceleration, m/s^2
   bool fluid(Index point) const { return walls_->wall(point) < 0; }

@@ -168,7 +168,7 @@ constexpr IdleRule rules[] = {
      "no wall has a moderate constraint"},
     {"quasi_static.hold_empty_cells", whole<without_supports>, "there are no walls"},
     {"quasi_static.max_penetration", whole<without_supports>, "there are no walls"},
-    {"peridynamics.heat.dissipation", whole<without_flow>,
+    {"peridynamics.heat.viscous_dissipation", whole<without_flow>,
      "nothing flows without [peridynamics.flow]"},
     {"peridynamics.heat.zero_energy",
      [](const Scene& scene, std::size_t) {

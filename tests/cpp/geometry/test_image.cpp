@@ -76,31 +76,51 @@ TEST_CASE("the distance of a drawn disk is right within a pixel, near and far") 
   }
 }
 
-TEST_CASE("distances between pixels are those of a full search") {
+TEST_CASE("the distance is that to the edges of upright pixels, inside and out, near and far") {
+  // Pixels of an L and of strips one pixel wide.
+  const ImageMask mask = of_values({{1, 0, 0, 0, 1}, {1, 0, 0, 0, 1}, {1, 1, 1, 0, 1}}, 0.5);
+  mask.check(2);
+  const auto of_box = [](const Vec3& x, double left, double bottom, double right, double top) {
+    const double beside = std::max(left - x[0], x[0] - right);
+    const double above = std::max(bottom - x[1], x[1] - top);
+    return std::max(beside, above) < 0.0 ? std::max(beside, above)
+                                         : std::hypot(std::max(beside, 0.0), std::max(above, 0.0));
+  };
+  for (const Vec3& x : random_points(3000, 2, {Vec3(-9, -9, 0), Vec3(12, 12, 0)})) {
+    const double outside =
+        std::min({of_box(x, 0, 0, 0.5, 1.5), of_box(x, 0, 0, 1.5, 0.5), of_box(x, 2, 0, 2.5, 1.5)});
+    if (outside > 0.0) {
+      REQUIRE(mask.distance(x) == Approx(outside).epsilon(1e-12));
+    }
+  }
+  for (const Vec3& x : random_points(300, 2, {Vec3(2, 0, 0), Vec3(2.5, 1.5, 0)})) {
+    REQUIRE(mask.distance(x) == Approx(of_box(x, 2, 0, 2.5, 1.5)).margin(1e-12));
+  }
+}
+
+TEST_CASE("the distance of any pixels changes by the way walked, and is negative in set ones") {
   Random random(5);
   std::vector<std::vector<double>> values(13, std::vector<double>(17));
   for (auto& row : values) {
     for (double& value : row) {
-      value = random.uniform() < 0.2;
+      value = random.uniform() < 0.5;
     }
   }
   const ImageMask mask = of_values(values, 1.0);
   mask.check(2);
   for (int row = 0; row < 13; ++row) {
     for (int column = 0; column < 17; ++column) {
-      const bool inside = values[12 - row][column] > 0.5;
-      double least = 1e300;
-      for (int r = -1; r <= 13; ++r) {
-        for (int c = -1; c <= 17; ++c) {
-          const bool other = r >= 0 && r < 13 && c >= 0 && c < 17 && values[12 - r][c] > 0.5;
-          if (other != inside) {
-            least = std::min(least, std::hypot(r - row, c - column));
-          }
-        }
-      }
-      const double expected = inside ? 0.5 - least : least - 0.5;
-      REQUIRE(mask.distance(Vec3(column + 0.5, row + 0.5, 0)) == Approx(expected).epsilon(1e-14));
+      const double there = mask.distance(Vec3(column + 0.5, row + 0.5, 0));
+      REQUIRE((there < 0.0) == (values[12 - row][column] > 0.5));
     }
+  }
+  for (const Vec3& x : random_points(3000, 2, {Vec3(-5, -5, 0), Vec3(22, 18, 0)})) {
+    const double here = mask.distance(x);
+    const Vec3 foot = x - here * mask.gradient(x);
+    REQUIRE(std::abs(mask.distance(foot)) < 1e-9);
+    REQUIRE(mask.gradient(x).norm() == Approx(1.0));
+    const Vec3 other = x + random.uniform() * Vec3(0.3, -0.4, 0);
+    REQUIRE(std::abs(mask.distance(other) - here) <= (other - x).norm() + 1e-12);
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/build.hpp"
+#include "lapilli/scene/idle_rules.hpp"
+#include "lapilli/scene/keys.hpp"
 #include "lapilli/scene/run_scene.hpp"
 #include "lapilli/scene/scene_file.hpp"
 #include "lapilli/scene/validate.hpp"
@@ -52,6 +54,20 @@ TEST_CASE("a setting that nothing reads is named with the reason") {
   REQUIRE(notes.size() == 1);
   CHECK_THAT(notes[0], Contains(std::string(idle.path) + " has no effect: "));
   CHECK_THAT(notes[0], Contains(idle.why));
+}
+
+TEST_CASE("what may be idle are keys of a scene") {
+  for (const IdleRule& rule : idle_rules()) {
+    std::string path = rule.pattern;
+    for (std::size_t at = path.find("[]"); at != std::string::npos; at = path.find("[]")) {
+      path.erase(at, 2);
+    }
+    const std::size_t dot = path.rfind('.');
+    const std::string table = path.substr(0, dot);
+    INFO(path);
+    CHECK_THAT(keys_as_markdown(table == "bodies.motion" ? "rotation" : table),
+               Contains("| `" + path.substr(dot + 1) + "` |"));
+  }
 }
 
 TEST_CASE("settings that are read are not named") {

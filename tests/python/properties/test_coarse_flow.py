@@ -1,0 +1,60 @@
+"""A flow whose layers are narrower than its points tell says so; what is right or stands still is
+silent, however noisy its traces of motion are."""
+
+from pathlib import Path
+
+import pytest
+
+import lapilli as lp
+
+
+def cavity(points: int, rayleigh: float, hot: str = "left") -> lp.Scene:
+    """A square of air, Prandtl number 0.71, hot on one side and cold on the other."""
+    wide = 4.0 / points
+    far = 1.0 + wide
+    boxes = {
+        "left": lp.Box(lower=[-wide, -wide], upper=[0.0, far]),
+        "right": lp.Box(lower=[1.0, -wide], upper=[far, far]),
+        "bottom": lp.Box(lower=[-wide, -wide], upper=[far, 0.0]),
+        "top": lp.Box(lower=[-wide, 1.0], upper=[far, far]),
+    }
+    cold = {"left": "right", "top": "bottom"}[hot]
+    walls = [lp.FluidWall(name=name, shape=shape) for name, shape in boxes.items()]
+    for wall in walls:
+        if wall.name in (hot, cold):
+            wall.heat, wall.temperature = "temperature", float(wall.name == hot)
+    return lp.Scene(
+        grid=lp.Grid(lower=[-1.0, -1.0], upper=[2.0, 2.0], cell=1.0 / points),
+        bodies=[
+            lp.Body(
+                shape=lp.Box(lower=[0.0, 0.0], upper=[1.0, 1.0]),
+                points_per_cell=1,
+                temperature=0.5,
+                material=[
+                    lp.Thermal(density=1.0, specific_heat=1.0, conductivity=1.0),
+                    lp.Newtonian(density=1.0, viscosity=0.71, thermal_expansion=1.0),
+                ],
+            )
+        ],
+        peridynamics=lp.Peridynamics(
+            heat=lp.PeridynamicHeat(),
+            flow=lp.PeridynamicFlow(gravity=(0.0, -0.71 * rayleigh)),
+            walls=walls,
+        ),
+        time=lp.Time(end=0.06),
+    )
+
+
+@pytest.mark.parametrize(
+    ("points", "rayleigh", "hot", "coarse"),
+    [(8, 1e4, "left", True), (10, 1e5, "left", True), (12, 1e3, "left", False),
+     (16, 1e4, "left", False), (8, 1e3, "top", False)],
+)  # fmt: skip
+def test_coarse_points_are_named(
+    tmp_path: Path, points: int, rayleigh: float, hot: str, coarse: bool
+):
+    run = lp.run(cavity(points, rayleigh, hot), tmp_path / "flow.vtkhdf", progress=False)
+    said = [one for one in run.warnings if "points are too few for the layers" in one]
+    assert len(said) == coarse
+    if coarse:
+        assert float(said[0].split("take cells of ")[1].split()[0]) < 0.7 / points
