@@ -7,6 +7,7 @@
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/step_refused.hpp"
+#include "lapilli/core/step_stop.hpp"
 
 namespace lapilli {
 namespace {
@@ -41,6 +42,8 @@ StepReport QuasiStatic<Dim>::advance(const Step& step) {
         throw StepRefused(message("load step failed after ", halvings, " halvings: ", error.what(),
                                   "; the last converged state is kept"));
       }
+    } catch (const StepStopped&) {
+      throw;
     } catch (const RunError& error) {
       throw StepRefused(message(error.what(), "; the last converged state is kept"));
     }
@@ -51,14 +54,21 @@ StepReport QuasiStatic<Dim>::advance(const Step& step) {
 template <int Dim>
 typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::attempt(double from, double to) {
   if (!is_reset_due()) {
-    return try_step(from, to);
+    const auto scheme = reference_.scheme;
+    try {
+      return try_step(from, to, StepStop::stoppable());
+    } catch (const StepStopped&) {
+      reference_.scheme = scheme;  // it may have been made stiffer on the way
+      throw;
+    }
   }
   Archive before;
   reference_.save(before);
   const bool moved_far = moved_far_;
   try {
+    std::unique_ptr<Interruption> stoppable = StepStop::stoppable();
     reset_grid(from);
-    return try_step(from, to);
+    return try_step(from, to, std::move(stoppable));
   } catch (const RunError&) {
     choose_stiffness(moved_far);
     undo_reset(before);
@@ -74,7 +84,8 @@ void QuasiStatic<Dim>::undo_reset(const Archive& before) {
 }
 
 template <int Dim>
-typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(double from, double to) {
+typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(
+    double from, double to, std::unique_ptr<Interruption> stoppable) {
   Report report = report_;
   Loads<Dim> loads = collect_loads(to);
   if (!reference_.factorised) {
@@ -98,6 +109,7 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(double from, double
   }
   report.penetration =
       boundary_.deepest_penetration(grid_, points_, moves, to, std::as_const(guarded_).values());
+  stoppable.reset();  // from here on the step changes the state
   support_forces_ = equilibrium.support_forces(u, static_cast<int>(boundary_.walls()));
   for (std::size_t w = 0; w < support_forces_.size(); ++w) {
     support_forces_[w] += carried * reference_.support_forces[w];
