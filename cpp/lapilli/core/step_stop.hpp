@@ -2,16 +2,16 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 
 #include "lapilli/core/interruption.hpp"
-#include "lapilli/core/require.hpp"
 
 namespace lapilli {
 
 /// A step that was asked to stop on its way and is as not begun.
-class StepStopped : public RunError {
+class StepStopped : public std::runtime_error {
  public:
-  using RunError::RunError;
+  using std::runtime_error::runtime_error;
 };
 
 /// While one lives, steps of its thread that can take back what they did ask from time to time

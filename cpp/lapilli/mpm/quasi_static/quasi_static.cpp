@@ -42,8 +42,6 @@ StepReport QuasiStatic<Dim>::advance(const Step& step) {
         throw StepRefused(message("load step failed after ", halvings, " halvings: ", error.what(),
                                   "; the last converged state is kept"));
       }
-    } catch (const StepStopped&) {
-      throw;
     } catch (const RunError& error) {
       throw StepRefused(message(error.what(), "; the last converged state is kept"));
     }
@@ -69,7 +67,7 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::attempt(double from, double 
     std::unique_ptr<Interruption> stoppable = StepStop::stoppable();
     reset_grid(from);
     return try_step(from, to, std::move(stoppable));
-  } catch (const RunError&) {
+  } catch (const std::runtime_error&) {
     choose_stiffness(moved_far);
     undo_reset(before);
     throw;
