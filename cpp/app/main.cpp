@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -9,7 +10,6 @@
 #include <filesystem>
 
 #include "lapilli/core/build_info.hpp"
-#include "lapilli/core/interruption.hpp"
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/output/output_error.hpp"
@@ -39,17 +39,24 @@ struct Arguments {
 };
 
 volatile std::sig_atomic_t stop_asked = 0;  // by which signal
+volatile std::sig_atomic_t is_running = 0;  // before, there is nothing to lose
 
 // The first signal asks the run to stop after its step; a second one ends the process.
 void ask_to_stop(int signal) {
+  if (is_running == 0) {
+    constexpr char words[] = "lapilli-run: stopped before the first step\n";
+    static_cast<void>(!::write(STDERR_FILENO, words, sizeof words - 1));
+    ::_exit(128 + signal);
+  }
   stop_asked = signal;
   std::signal(signal, SIG_DFL);
 }
 
 // A file beyond the limit is then an error of the write, which is reported like that of a full
-// disk.
+// disk; a reader of what is printed that goes away ends no run.
 void heed_signals() {
   std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (std::signal(signal, ask_to_stop) == SIG_IGN) {
       std::signal(signal, SIG_IGN);  // nohup, or a job in the background
@@ -57,22 +64,24 @@ void heed_signals() {
   }
 }
 
-struct Stopped : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-void stop_if_asked() {
-  if (stop_asked != 0) {
-    throw Stopped("stopped before the first step");
+// A stream that was closed would be the next file that the run opens, and take in what is said.
+void open_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) < 0) {
+      ::open("/dev/null", O_RDWR);  // takes the lowest number that is free
+    }
   }
 }
 
-// What could not be printed is an error too: a list of keys that ends half way on a full disk.
-int flushed(int code) {
-  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0
-             ? code
-             : throw OutputError(
-                   message("cannot write to standard output: ", std::strerror(errno)));
+// What could not be printed is an error too: a list of keys that ends half way on a full disk. That
+// nobody reads on is none.
+void print(const std::string& text) {
+  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
+    const int reason = errno;
+    if (reason != EPIPE) {
+      throw OutputError(message("cannot write to standard output: ", std::strerror(reason)));
+    }
+  }
 }
 
 // Threads that spin while they wait take the cores from whoever shares the machine; threads that
@@ -119,22 +128,20 @@ int run_scene(const Arguments& given) {
   const Scene scene = scene_of(given);
   if (given.check) {
     const CheckReport report = check(scene);
-    std::fputs((given.json ? json_of(report) : text_of(report)).c_str(), stdout);
+    print(given.json ? json_of(report) : text_of(report));
     return finished;
   }
-  const std::unique_ptr<Simulation> simulation = [&] {
-    const Interruption interruption(stop_if_asked);
-    return build(scene);
-  }();
+  const std::unique_ptr<Simulation> simulation = build(scene);
   ProgressLine line(given.quiet);
   RunOptions options = run_options(scene, simulation->points());
   options.resume = given.resume;
   options.progress = [&](const Progress& progress) { line.show(progress); };
-  options.interrupted = [] { return stop_asked != 0; };
+  options.interrupted = options.interrupted_in_step = [] { return stop_asked != 0; };
+  is_running = 1;
   const RunSummary summary = run(*simulation, options);
   line.finish();
   if (!given.quiet) {
-    std::fputs(summary_text(*simulation, summary, scene.output.path).c_str(), stdout);
+    print(summary_text(*simulation, summary, scene.output.path));
   }
   return summary.status == RunStatus::finished ? finished : stopped_by + stop_asked;
 }
@@ -147,6 +154,7 @@ int report(const std::exception& error, ExitCode code) {
 }  // namespace
 
 int main(int count, char** words) {
+  open_closed_streams();
   spin_shortly(words);
   heed_signals();
   CLI::App app("Runs a scene: heat and large deformation with particles.", "lapilli-run");
@@ -159,21 +167,19 @@ int main(int count, char** words) {
   }
   try {
     if (given.keys) {
-      std::fputs(keys_as_markdown().c_str(), stdout);
-      return flushed(finished);
+      print(keys_as_markdown());
+      return finished;
     }
     if (given.schema) {
-      std::fputs(scene_schema().c_str(), stdout);
-      return flushed(finished);
+      print(scene_schema());
+      return finished;
     }
     set_thread_count(given.threads);
-    return flushed(run_scene(given));
+    return run_scene(given);
   } catch (const std::invalid_argument& error) {
     return report(error, wrong_input);
   } catch (const OutputError& error) {
     return report(error, disk_failed);
-  } catch (const Stopped& error) {
-    return report(error, static_cast<ExitCode>(stopped_by + stop_asked));
   } catch (const std::exception& error) {
     return report(error, run_failed);
   }

@@ -17,16 +17,45 @@
 namespace lapilli::python {
 namespace {
 
-/// The end of a run that Python asks for: a signal, a callback that answers False or raises.
+/// The end of a run that Python asks for: a signal, a callback that answers False or raises, a
+/// progress that raises.
 class StopFromPython {
  public:
-  StopFromPython(py::object simulation, py::object callback)
-      : simulation_(std::move(simulation)), callback_(std::move(callback)) {}
+  StopFromPython(py::object simulation, py::object callback, py::object signals)
+      : simulation_(std::move(simulation)),
+        callback_(std::move(callback)),
+        check_signals_(std::move(signals)) {}
+
+  void tell(const py::object& progress, const Progress& now) {
+    if (error_) {
+      return;
+    }
+    try {
+      const py::gil_scoped_acquire gil;
+      progress(now);
+    } catch (...) {
+      error_ = std::current_exception();
+    }
+  }
+
+  /// The same before the step has ended.
+  bool by_signal() {
+    try {
+      if (!error_) {
+        check_signals_();
+      }
+    } catch (...) {
+      error_ = std::current_exception();
+    }
+    return static_cast<bool>(error_);
+  }
 
   /// Whether to stop; errors wait for rethrow(), so that the last frame is written first.
   bool operator()() {
+    if (by_signal()) {
+      return true;
+    }
     try {
-      check_signals_();
       if (callback_.is_none()) {
         return false;
       }
@@ -50,17 +79,16 @@ class StopFromPython {
 };
 
 RunSummary run_scene(const py::object& simulation, const py::object& scene, bool resume,
-                     const py::object& progress, const py::object& callback) {
+                     const py::object& progress, const py::object& callback,
+                     const py::object& signals) {
   auto& held = simulation.cast<PythonSimulation&>();
   RunOptions options = run_options(scene_of(scene), held.get().points());
   options.resume = resume;
-  StopFromPython stop(simulation, callback);
+  StopFromPython stop(simulation, callback, signals);
   options.interrupted = [&] { return stop(); };
+  options.interrupted_in_step = [&] { return stop.by_signal(); };
   if (!progress.is_none()) {
-    options.progress = [&](const Progress& now) {
-      const py::gil_scoped_acquire gil;
-      progress(now);
-    };
+    options.progress = [&](const Progress& now) { stop.tell(progress, now); };
   }
   Simulation& running = held.get();
   const PythonSimulation::Stepping stepping(held);
@@ -176,13 +204,14 @@ void bind_run(py::module_& module) {
   bind_summary(module);
   module.def(
       "run_simulation", &run_scene, py::arg("simulation"), py::arg("scene"), py::arg("resume"),
-      py::arg("progress"), py::arg("callback"),
+      py::arg("progress"), py::arg("callback"), py::arg("signals") = py::none(),
       "run_simulation(simulation: Simulation, scene: Scene, resume: bool, progress: "
       "collections.abc.Callable[[Progress], None] | None, callback: "
-      "collections.abc.Callable[[Simulation], typing.Any] | None) -> RunSummary\n\nRun to the end "
-      "of "
-      "the scene and leave what its output section asks for. After Ctrl-C, or an error in the "
-      "callback, the last frame and checkpoint are written before it is raised.");
+      "collections.abc.Callable[[Simulation], typing.Any] | None, signals: "
+      "collections.abc.Callable[[], None] | None = None) -> RunSummary\n\nRun to the end of the "
+      "scene and leave what its output section asks for. After Ctrl-C, or an error in the callback "
+      "or the progress, the last frame and checkpoint are written before it is raised. `signals` "
+      "is asked between steps to raise those that were held back.");
   module.def(
       "check_text", [](const py::object& scene) { return text_of(checked_scene(scene)); },
       py::arg("scene"),

@@ -16,12 +16,15 @@ namespace lapilli::python {
 namespace py = pybind11;
 
 /// Lets Ctrl-C through while the GIL is released: asks Python for signals every twentieth of a
-/// second. Throws what Python raises (KeyboardInterrupt).
+/// second. Throws what Python raises (KeyboardInterrupt), or what `held_back` does, a function of
+/// Python or None.
 class SignalCheck {
  public:
+  explicit SignalCheck(py::object held_back = py::none()) : held_back_(std::move(held_back)) {}
   void operator()();
 
  private:
+  py::object held_back_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 

@@ -9,6 +9,10 @@ void SignalCheck::operator()() {
   }
   last_ = now;
   raise_signals();
+  if (!held_back_.is_none()) {
+    const py::gil_scoped_acquire gil;
+    held_back_();
+  }
 }
 
 void raise_signals() {

@@ -4809,9 +4809,9 @@ def rebuild_index(frames: str) -> int:
     """
     Make a lost or damaged index anew from the data files beside it; the number of frames.
     """
-def run_simulation(simulation: Simulation, scene: Scene, resume: bool, progress: collections.abc.Callable[[Progress], None] | None, callback: collections.abc.Callable[[Simulation], typing.Any] | None) -> RunSummary:
+def run_simulation(simulation: Simulation, scene: Scene, resume: bool, progress: collections.abc.Callable[[Progress], None] | None, callback: collections.abc.Callable[[Simulation], typing.Any] | None, signals: collections.abc.Callable[[], None] | None = None) -> RunSummary:
     """
-    Run to the end of the scene and leave what its output section asks for. After Ctrl-C, or an error in the callback, the last frame and checkpoint are written before it is raised.
+    Run to the end of the scene and leave what its output section asks for. After Ctrl-C, or an error in the callback or the progress, the last frame and checkpoint are written before it is raised. `signals` is asked between steps to raise those that were held back.
     """
 def scene_schema() -> str:
     """

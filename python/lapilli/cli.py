@@ -21,6 +21,7 @@ from cyclopts import (
 from lapilli._core import OutputError, RunError
 from lapilli.commands import COMMANDS, GROUPS
 from lapilli.commands.codes import DISK_FAILED, FINISHED, RUN_FAILED, SIGNALLED, WRONG_INPUT
+from lapilli.console import unheard_streams
 from lapilli.mistakes import is_disk_failure, is_utf8
 from lapilli.signals import Signalled, stopped_by_signals
 from lapilli.words import meant
@@ -30,7 +31,12 @@ HELP = {"-h", "--help"}
 
 def main(words: Sequence[str] | None = None) -> int:
     """Run one command; mistakes become one line on standard error and an exit code."""
-    words = list(sys.argv[1:] if words is None else words)
+    with unheard_streams():
+        return answer(list(sys.argv[1:] if words is None else words))
+
+
+def answer(words: list[str]) -> int:
+    """The exit code of one command."""
     for word in words:
         if not is_utf8(word):
             return report(ValueError(f"{word!a} is a name that is no UTF-8"), WRONG_INPUT)
@@ -56,9 +62,6 @@ def main(words: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt as error:
         print("\nlapilli: stopped", file=sys.stderr)
         return SIGNALLED + (error.number if isinstance(error, Signalled) else signal.SIGINT)
-    except BrokenPipeError:
-        sys.stderr.close()
-        return FINISHED
     except OutputError as error:
         drop_output()
         return report(error, DISK_FAILED, verbose)

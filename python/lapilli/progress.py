@@ -16,16 +16,33 @@ Show = Callable[[Progress], None]
 
 @contextlib.contextmanager
 def progress_bar(wanted: bool = True) -> Iterator[Show | None]:
-    """A function that shows progress; None when none is wanted."""
+    """A function that shows progress; None when none is wanted or nothing can be said."""
     if not wanted:
         yield None
     elif _in_notebook():
         yield _notebook_bar()
+    elif sys.stderr is None or sys.stderr.closed:
+        yield None
     elif sys.stderr.isatty():
         with _terminal_bar() as show:
-            yield show
+            yield _until_unheard(show)
     else:
-        yield _plain_lines()
+        yield _until_unheard(_plain_lines())
+
+
+def _until_unheard(show: Show) -> Show:
+    """The same, silent once it cannot be written: a run does not end for want of a log."""
+    heard = True
+
+    def tell(now: Progress) -> None:
+        nonlocal heard
+        if heard:
+            try:
+                show(now)
+            except (OSError, ValueError):
+                heard = False
+
+    return tell
 
 
 def _text(now: Progress) -> str:

@@ -8,9 +8,10 @@ import functools
 import json
 import logging
 import os
+import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -22,6 +23,7 @@ from lapilli.frames import Frames
 from lapilli.history import History, history_of
 from lapilli.part import Part, names_of
 from lapilli.progress import progress_bar
+from lapilli.signals import held_back
 
 if TYPE_CHECKING:
     import xarray
@@ -50,6 +52,7 @@ class Result:
         self.simulation = simulation
         self.summary = summary
         self.output = output
+        self._output_as_given = scene.output.path or ""
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:
         field, component = parted(name)
@@ -114,7 +117,7 @@ class Result:
 
     def report(self) -> str:
         """How the run ended, its balances and what its user should know, as lines of text."""
-        return _core.summary_text(self.simulation, self.summary, str(self.output or ""))
+        return _core.summary_text(self.simulation, self.summary, self._output_as_given)
 
     @property
     def frames(self) -> Frames:
@@ -176,13 +179,14 @@ def run(
     """
     scene = with_output(scene, output, every)
     path = Path(scene.output.path) if scene.output.path else None
+    where = None if path is None else path.absolute()  # the folder of the process may change
     with _thread_count(threads):
         simulation = Simulation(scene)
         name = scene.title or "scene"
         log.info("%s: run of %d points to %g s", name, len(simulation), simulation.end)
-        with progress_bar(progress) as show:
-            summary = _core.run_simulation(simulation, scene, resume, show, callback)
-    result = Result(simulation, summary, path, scene)
+        with progress_bar(progress) as show, held_back() as signals:
+            summary = _core.run_simulation(simulation, scene, resume, show, callback, signals)
+    result = Result(simulation, summary, where, scene)
     for note in [*summary.notes, *(result.warnings if path else [])]:
         log.warning("%s: %s", name, note)
     log.info("%s: %r, %d steps, %.3g CPU s", name, result, summary.steps, summary.cpu_seconds)
@@ -205,13 +209,29 @@ def with_output(
     return scene
 
 
+class _Threads:
+    """Who asked for how many threads, of runs beside each other in threads of Python."""
+
+    busy = threading.Lock()
+    asked: ClassVar[list[tuple[object, int]]] = []
+    before = 0
+
+
 @contextlib.contextmanager
 def _thread_count(threads: int | None) -> Iterator[None]:
-    before = _core.thread_count()
-    if threads is not None:
+    if threads is None:
+        yield
+        return
+    mine = (object(), threads)
+    with _Threads.busy:
+        if not _Threads.asked:
+            _Threads.before = _core.thread_count()
         _core.set_thread_count(threads)
+        _Threads.asked.append(mine)
     try:
         yield
     finally:
-        if threads is not None:
-            _core.set_thread_count(before)
+        with _Threads.busy:
+            _Threads.asked.remove(mine)
+            last = _Threads.asked[-1][1] if _Threads.asked else _Threads.before
+            _core.set_thread_count(last)

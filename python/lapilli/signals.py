@@ -5,8 +5,9 @@ from __future__ import annotations
 import contextlib
 import signal
 import threading
-from collections.abc import Iterator
-from typing import NoReturn
+from collections.abc import Callable, Iterator
+from types import FrameType
+from typing import Any, NoReturn
 
 
 class Signalled(KeyboardInterrupt):
@@ -39,3 +40,41 @@ def stopped_by_signals() -> Iterator[None]:
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
+
+
+@contextlib.contextmanager
+def held_back() -> Iterator[Callable[[], None] | None]:
+    """While a run steps, the first signal that asks for its end waits until the run asks for it.
+
+    Yields the function by which it does so, which calls the handler of before. Raised by whichever
+    line of Python is next, a function of the scene or the progress, it would leave a step half
+    done. A second signal of the kind is not held back.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield None
+        return
+    before: dict[int, Callable[[int, FrameType | None], Any]] = {}
+    came: dict[int, FrameType | None] = {}
+
+    def hold(number: int, frame: FrameType | None) -> None:
+        if number in came:
+            before[number](number, frame)
+        else:
+            came[number] = frame
+
+    def hand_on() -> None:
+        for number in list(came):
+            before[number](number, came.pop(number))
+
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        handler = signal.getsignal(number)
+        if callable(handler):
+            before[number] = handler
+            signal.signal(number, hold)
+    try:
+        yield hand_on
+    finally:
+        for heeded, former in before.items():
+            if signal.getsignal(heeded) is hold:
+                signal.signal(heeded, former)
+        hand_on()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import uuid
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 
@@ -31,6 +31,17 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
         os.replace(written, target)
     finally:
         written.unlink(missing_ok=True)
+
+
+def require_apart(
+    targets: Iterable[str | os.PathLike[str]], inputs: Iterable[str | os.PathLike[str]]
+) -> None:
+    """Refuse to write over what is read, by whatever name."""
+    read = [Path(given) for given in inputs]
+    for target in map(Path, targets):
+        for given in read:
+            if target.exists() and given.exists() and target.samefile(given):
+                raise ValueError(f"{given} is read here and would be written over: choose another")
 
 
 def write_text(path: str | os.PathLike[str], text: str) -> None:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lapilli/core/interruption.hpp"
 #include "lapilli/core/parallel.hpp"
 
 namespace lapilli {
@@ -14,6 +15,7 @@ void eliminate_first(Eigen::MatrixXd& matrix, int own, double* pivots) {
   const auto size = static_cast<int>(matrix.rows());
   Eigen::MatrixXd scaled;
   for (int first = 0; first < own; first += block) {
+    allow_interruption();
     const int width = std::min(block, own - first), after = first + width, rest = size - after;
     // Columns of the block, one by one.
     for (int column = first; column < after; ++column) {
@@ -55,6 +57,7 @@ void Multifrontal::analyse(const SparseMatrix& lower, std::span<const int> part_
   }
   std::vector<int> height(parts, 0), seen(lower.rows(), -1);
   for (int part = 0; part < parts; ++part) {
+    allow_interruption();
     Front& front = fronts_[part];
     front.begin = part_start[part];
     front.own = part_start[part + 1] - front.begin;

@@ -9,6 +9,7 @@
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/step_refused.hpp"
+#include "lapilli/core/step_stop.hpp"
 #include "lapilli/core/thread_limit.hpp"
 
 namespace lapilli {
@@ -113,6 +114,11 @@ StepReport Simulation::advance(double size, bool output_due, bool last) {
       total.residual = std::max(total.residual, report.residual);
     }
     let_points_leave();
+  } catch (const StepStopped&) {
+    if (physics_.size() > 1) {
+      failure_ = "another physics has taken a step that was stopped";
+    }
+    throw;
   } catch (const StepRefused& error) {
     const std::string reason = message("step ", index_, ", time ", time_, " s: ", error.what());
     if (physics_.size() == 1) {

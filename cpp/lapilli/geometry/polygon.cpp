@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "lapilli/core/interruption.hpp"
 #include "lapilli/geometry/checks.hpp"
 
 namespace lapilli {
@@ -35,6 +36,10 @@ struct Nearest {
 };
 
 Nearest nearest(const Polygon& polygon, const Vec2& x) {
+  constexpr std::size_t many = 1000;  // whose distance takes longer than to ask
+  if (polygon.vertices.size() > many) {
+    allow_interruption();
+  }
   Nearest best;
   for (std::size_t k = 0; k < polygon.vertices.size(); ++k) {
     const Vec2 a = vertex(polygon, k), b = vertex(polygon, k + 1);
@@ -87,6 +92,7 @@ void require_simple(const Polygon& polygon) {
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return left(a) < left(b); });
   for (std::size_t i = 0; i < count; ++i) {
+    allow_interruption();
     for (std::size_t j = i + 1; j < count && left(order[j]) <= right(order[i]); ++j) {
       const std::size_t e = std::min(order[i], order[j]), f = std::max(order[i], order[j]);
       const Vec2 a = vertex(polygon, e), b = vertex(polygon, e + 1);

@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstring>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -21,23 +23,33 @@ namespace {
                             "': ", std::generic_category().message(reason)));
 }
 
-/// run.vtkhdf -> run.vtkhdf.4711-3.tmp: no other process and no other thread takes the same.
+constexpr const char* unfinished = "unfinished-";
+
+/// run.vtkhdf -> run.vtkhdf.unfinished-4711-3.tmp: no other process and no other thread takes the
+/// same.
 std::filesystem::path temporary_name(const std::filesystem::path& path) {
   static std::atomic<long> number{0};
   std::error_code ignored;
   for (;;) {
-    std::filesystem::path name = with_ending(path, message('.', ::getpid(), '-', ++number, ".tmp"));
+    std::filesystem::path name =
+        with_ending(path, message('.', unfinished, ::getpid(), '-', ++number, ".tmp"));
     if (!std::filesystem::exists(std::filesystem::symlink_status(name, ignored))) {
       return name;
     }
   }
 }
 
-/// run.vtkhdf.4711-3.tmp and run.vtkhdf.data1.4711-3.tmp, of run.vtkhdf.
+/// run.vtkhdf.unfinished-4711-3.tmp and run.vtkhdf.data1.unfinished-4711-3.tmp, of run.vtkhdf.
 bool is_temporary_name(const std::string& name, const std::string& of) {
-  const std::size_t dot = name.ends_with(".tmp") ? name.rfind('.', name.size() - 5) : 0;
-  return name.starts_with(of + '.') && dot != std::string::npos && dot >= of.size() &&
-         name.find_first_not_of("0123456789-", dot + 1) == name.size() - 4;
+  const std::size_t mark = name.rfind(std::string(".") + unfinished);
+  if (!name.starts_with(of + '.') || mark == std::string::npos || mark < of.size()) {
+    return false;
+  }
+  std::istringstream rest(name.substr(mark + 1 + std::strlen(unfinished)));
+  long process = 0, number = 0;
+  char dash = 0;
+  std::string ending;
+  return rest >> process >> dash >> number >> ending && dash == '-' && ending == ".tmp";
 }
 
 std::filesystem::path folder_of(const std::filesystem::path& path) {

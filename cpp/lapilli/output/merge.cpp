@@ -5,9 +5,11 @@
 #include "lapilli/core/interruption.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/output/file_seal.hpp"
+#include "lapilli/output/frame_index.hpp"
 #include "lapilli/output/frame_reader.hpp"
 #include "lapilli/output/hdf5_file.hpp"
 #include "lapilli/output/owned_files.hpp"
+#include "lapilli/output/run_lock.hpp"
 
 namespace lapilli {
 namespace {
@@ -96,12 +98,16 @@ void merge(const std::filesystem::path& from, const std::filesystem::path& to) {
   require(!std::filesystem::equivalent(from, to, ignored), "merge '", from.string(),
           "' into another file, not into itself");
   require_replaceable(to, OwnedFile::frames);
+  require(!std::filesystem::exists(data_path(to, 0), ignored), "'", to.string(),
+          "' is the output of a run, whose numbers lie in '", data_path(to, 0).string(),
+          "': merge into another file");
   FrameReader reader(from);
   require(!reader.index().merged, "'", from.string(), "' is merged into one file already");
   FrameIndex index = one_file(reader.index(), to);
   fit_room(reader, index);
   const Hdf5Image image =
       hdf5_lay_out([&](hid_t file) { lay_out(file, index); }, index.is_compressed());
+  const RunLock lock(to);
   AtomicFile file(to);
   image.write_to(file.file());
   FileSeal::of(image, FileSeal::Extent::written).write_to(file.file());

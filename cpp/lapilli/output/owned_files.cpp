@@ -1,5 +1,8 @@
 #include "lapilli/output/owned_files.hpp"
 
+#include <fstream>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -48,6 +51,31 @@ bool is_ours(const File& file, OwnedFile kind) {
   return false;
 }
 
+/// Without links as far as it exists.
+std::filesystem::path absolute_name(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path name = std::filesystem::weakly_canonical(path, error);
+  return error ? std::filesystem::absolute(path).lexically_normal() : name;
+}
+
+/// Whether the record names every column of the table. What is quoted or escaped is not compared.
+bool is_told(const std::filesystem::path& history, const std::filesystem::path& record) {
+  std::ifstream table(history);
+  std::string line, cell;
+  if (!std::getline(table, line) || (line != "time" && !line.starts_with("time,")) ||
+      line.find('"') != std::string::npos) {
+    return line.starts_with("time,") && std::filesystem::exists(record);
+  }
+  std::ifstream file(record);
+  const std::string told((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  for (std::istringstream cells(line); std::getline(cells, cell, ',');) {
+    if (told.find("\n    \"" + cell + "\": [") == std::string::npos) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 void require_replaceable(const std::filesystem::path& path, OwnedFile kind) {
@@ -64,6 +92,33 @@ void require_replaceable(const std::filesystem::path& path, OwnedFile kind) {
   require(file.size() == 0 || is_ours(file, kind), "'", path.string(),
           "' was not written by lapilli: it is not overwritten; choose another output or take it "
           "away");
+}
+
+void require_replaceable_history(const std::filesystem::path& history,
+                                 const std::filesystem::path& record) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::symlink_status(history, ignored);
+  if (!std::filesystem::exists(status)) {
+    return;
+  }
+  require(std::filesystem::is_regular_file(status) &&
+              (std::filesystem::file_size(history, ignored) == 0 || is_told(history, record)),
+          "'", history.string(),
+          "' was not written by lapilli: it is not overwritten; choose another output or take it "
+          "away");
+}
+
+void require_apart(const std::vector<std::filesystem::path>& written,
+                   const std::vector<std::filesystem::path>& inputs) {
+  for (const std::filesystem::path& input : inputs) {
+    for (const std::filesystem::path& file : written) {
+      std::error_code error;
+      const bool same = std::filesystem::equivalent(file, input, error) ||
+                        absolute_name(file) == absolute_name(input);
+      require(!same, "'", input.string(),
+              "' is read by this scene, and the run would write over it: choose another output");
+    }
+  }
 }
 
 }  // namespace lapilli

@@ -12,20 +12,6 @@ namespace {
 
 constexpr double record_interval_seconds = 1.0;
 
-/// A table says nothing of who wrote it: one beside a record of lapilli belongs to it.
-void require_own_history(const std::filesystem::path& output) {
-  const std::filesystem::path history = history_path(output);
-  std::error_code ignored;
-  const auto status = std::filesystem::symlink_status(history, ignored);
-  require(
-      !std::filesystem::exists(status) || (std::filesystem::is_regular_file(status) &&
-                                           (std::filesystem::exists(record_path(output), ignored) ||
-                                            std::filesystem::file_size(history, ignored) == 0)),
-      "'", history.string(),
-      "' was not written by lapilli: it is not overwritten; choose another output or take it "
-      "away");
-}
-
 }  // namespace
 
 RunFiles::RunFiles(Simulation& simulation, const RunOptions& options, const FrameSchedule& schedule)
@@ -48,6 +34,7 @@ RunFiles::RunFiles(Simulation& simulation, const RunOptions& options, const Fram
 void RunFiles::take_over() {
   const std::filesystem::path& output = options_.output;
   check_frames_path(output);
+  require_apart(files_of_run(output), options_.inputs);
   std::error_code ignored;  // making the lock says why a folder cannot be used
   std::filesystem::create_directories(output.parent_path(), ignored);
   lock_.emplace(output);
@@ -56,7 +43,7 @@ void RunFiles::take_over() {
     require_replaceable(checkpoint, OwnedFile::checkpoint);
   }
   require_replaceable(record_path(output), OwnedFile::record);
-  require_own_history(output);
+  require_replaceable_history(history_path(output), record_path(output));
   for (const auto& path :
        {output, checkpoint_path(output), record_path(output), history_path(output)}) {
     remove_unfinished(path);
@@ -70,16 +57,23 @@ void RunFiles::begin() {
     return;
   }
   take_over();
-  // The former checkpoint first: it must never stand beside frames of another run.
+  // The former checkpoint first: it must never stand beside frames of another run, nor the former
+  // history beside another record.
   std::error_code ignored;
   for (const std::filesystem::path& checkpoint : checkpoint_paths(options_.output)) {
     std::filesystem::remove(checkpoint, ignored);
   }
+  std::filesystem::remove(history_path(options_.output), ignored);
   writer_.emplace(options_.output, schedule_.planned(), options_.frames);
   stepped_ = simulation_.time();
-  write_frame(true);
-  write_record("running", {});
-  write_checkpoint({});
+}
+
+void RunFiles::write_start() {
+  if (is_writing()) {
+    write_frame(true);
+    write_record("running", {});
+    write_checkpoint({});
+  }
 }
 
 /// The index is all that a reader goes by; when it is lost, the data files know the same.
@@ -87,7 +81,7 @@ void RunFiles::find_index() {
   try {
     read_index(options_.output);
   } catch (const std::exception& error) {
-    const Index frames = rebuild_index(options_.output);
+    const Index frames = rebuild_index(options_.output, *lock_);
     record_.notes.push_back(message("the index was made anew from the data files, with ", frames,
                                     " frames: ", error.what()));
   }
@@ -218,6 +212,12 @@ std::string RunFiles::last_frame() const {
   return frames() == 0 ? ""
                        : message("; the last good frame is that of time ", writer_->times().back(),
                                  " s in '", options_.output.string(), "'");
+}
+
+std::vector<std::filesystem::path> files_of_run(const std::filesystem::path& output) {
+  const auto checkpoints = checkpoint_paths(output);
+  return {output,         data_path(output, 0), record_path(output), history_path(output),
+          checkpoints[0], checkpoints[1]};
 }
 
 std::filesystem::path checkpoint_path(const std::filesystem::path& output) {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lapilli/core/simulation.hpp"
 #include "lapilli/output/checkpoint.hpp"
@@ -21,8 +22,10 @@ class RunFiles {
   /// Options and schedule must outlive it.
   RunFiles(Simulation& simulation, const RunOptions& options, const FrameSchedule& schedule);
 
-  /// Start new files with the state of now.
+  /// Take the output over and start new files.
   void begin();
+  /// Put the state of now into new files.
+  void write_start();
   /// Bring simulation, statistics and frames back to the checkpoint.
   void resume(RunStatistics& statistics);
   /// Write what is due after a step.
@@ -68,5 +71,7 @@ class RunFiles {
 std::filesystem::path checkpoint_path(const std::filesystem::path& output);
 std::filesystem::path record_path(const std::filesystem::path& output);
 std::filesystem::path history_path(const std::filesystem::path& output);
+/// All files that a run of this output writes.
+std::vector<std::filesystem::path> files_of_run(const std::filesystem::path& output);
 
 }  // namespace lapilli

@@ -95,34 +95,96 @@ bool is_still_there(int file, const std::filesystem::path& path) {
          open.st_ino == named.st_ino && open.st_dev == named.st_dev;
 }
 
+[[noreturn]] void refuse(const Owner& owner, const std::filesystem::path& path,
+                         const char* else_do) {
+  throw OutputError(message("another run writes this output: process ", owner.process, " on ",
+                            owner.host, " since ", owner.start, " (", path.string(),
+                            "); wait for it, stop it, or choose another output", else_do));
+}
+
+/// A file that can be opened, and whether it was made here.
+struct Opened {
+  int file = -1;
+  bool is_new = false;
+};
+
+/// No file: another has just taken it away.
+Opened open_file(const std::filesystem::path& path) {
+  constexpr int flags = O_RDWR | O_CLOEXEC | O_NOFOLLOW;
+  const int made = ::open(path.c_str(), flags | O_CREAT | O_EXCL, 0666);
+  if (made >= 0 || errno != EEXIST) {
+    return {made >= 0 ? made : (fail(path), -1), true};
+  }
+  const int found = ::open(path.c_str(), flags);
+  if (found < 0 && errno != ENOENT) {
+    fail(path);
+  }
+  return {found, false};
+}
+
+/// Take the file of a dead process away, unless another did and there is one of a living by now.
+void clear_away(int file, const std::filesystem::path& path) {
+  const std::filesystem::path aside = with_ending(path, message('.', ::getpid()));
+  if (::rename(path.c_str(), aside.c_str()) == 0 && !is_still_there(file, aside)) {
+    static_cast<void>(::link(aside.c_str(), path.c_str()));
+  }
+  ::unlink(aside.c_str());
+}
+
+/// Where the file system knows no locks, whoever made the file holds it. Whether a process of
+/// another host lives cannot be known.
+bool is_held_by_making(const Opened& opened, const std::filesystem::path& path) {
+  if (opened.is_new) {
+    return true;
+  }
+  const Owner owner = owner_of(opened.file);
+  if (owner.process <= 0) {
+    return false;  // its maker has yet to write its name
+  }
+  if (!is_dead(owner)) {
+    refuse(owner, path,
+           "; if that process is gone, remove this file: the file system has no locks to tell");
+  }
+  clear_away(opened.file, path);
+  return false;
+}
+
+/// Whether this process may have the file now; throws where another run has it.
+bool is_granted(const Opened& opened, const std::filesystem::path& path) {
+  if (::flock(opened.file, LOCK_EX | LOCK_NB) == 0) {
+    return is_still_there(opened.file, path);
+  }
+  if (errno == EINTR) {
+    return false;
+  }
+  if (errno != EWOULDBLOCK) {
+    return is_held_by_making(opened, path);
+  }
+  const Owner owner = owner_of(opened.file);
+  return is_dead(owner) ? false : (refuse(owner, path, ""), false);
+}
+
 /// Open the file and lock it. Returns -1 to try again: its former owner has just taken it away, or
 /// its new one has yet to write its name. A file whose lock another holds is never removed.
 int open_and_lock(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-  if (file < 0) {
-    fail(path);
+  const Opened opened = open_file(path);
+  if (opened.file < 0) {
+    return -1;
   }
-  const std::string text = read_all(file);
-  if (!text.empty() && !text.starts_with(title)) {
-    ::close(file);
-    throw OutputError(message("'", path.string(), "' is not a lock of lapilli"));
-  }
-  if (::flock(file, LOCK_EX | LOCK_NB) == 0 || (errno != EWOULDBLOCK && errno != EINTR)) {
-    // Some file systems know no locks: there the file alone must do.
-    if (is_still_there(file, path)) {
-      return file;
+  try {
+    const std::string text = read_all(opened.file);
+    if (!text.empty() && !text.starts_with(title)) {
+      throw OutputError(message("'", path.string(), "' is not a lock of lapilli"));
     }
-    ::close(file);
-    return -1;
+    if (is_granted(opened, path)) {
+      return opened.file;
+    }
+  } catch (...) {
+    ::close(opened.file);
+    throw;
   }
-  const Owner owner = owner_of(file);
-  ::close(file);
-  if (is_dead(owner)) {
-    return -1;
-  }
-  throw OutputError(message("another run writes this output: process ", owner.process, " on ",
-                            owner.host, " since ", owner.start, " (", path.string(),
-                            "); wait for it, stop it, or choose another output"));
+  ::close(opened.file);
+  return -1;
 }
 
 }  // namespace
@@ -130,7 +192,11 @@ int open_and_lock(const std::filesystem::path& path) {
 RunLock::RunLock(const std::filesystem::path& output)
     : path_(with_ending(output, ".lock")), process_(::getpid()) {
   for (int tries = 0; !take(); ++tries) {
-    require(tries < 1000, "cannot lock '", path_.string(), "': others come and go");
+    if (tries == 1000) {
+      throw OutputError(message("cannot lock '", path_.string(),
+                                "': others come and go; if there is no other run of this output, "
+                                "remove this file"));
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   const std::string text =

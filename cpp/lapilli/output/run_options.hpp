@@ -29,6 +29,7 @@ struct Progress {
 /// `run.checkpoint`, the record `run.json` and the history `run.csv`.
 struct RunOptions {
   std::filesystem::path output;                  // ends in .vtkhdf; empty: nothing is written
+  std::vector<std::filesystem::path> inputs;     // what the run is made from: never written over
   double frame_interval = 0.0;                   // s between frames; 0: the first and the last only
   Index frame_steps = 0;                         // steps between frames, instead of an interval
   FrameOptions frames;                           // what of the fields they hold, and how
@@ -47,6 +48,7 @@ struct RunOptions {
   std::vector<std::string> not_compared;          // settings that no resume can compare: functions
   std::function<void(const Progress&)> progress;  // at the start, ten times a second, at the end
   std::function<bool()> interrupted;              // asked after every step; true stops the run
+  std::function<bool()> interrupted_in_step;      // asked within those that can be taken back
 };
 
 }  // namespace lapilli

@@ -6,6 +6,7 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/step_refused.hpp"
+#include "lapilli/core/step_stop.hpp"
 #include "lapilli/core/whole_steps.hpp"
 #include "lapilli/output/frame_schedule.hpp"
 #include "lapilli/output/run_files.hpp"
@@ -83,22 +84,37 @@ double end_of_step(const Simulation& simulation, const FrameSchedule& schedule) 
   return until;
 }
 
+/// False where the step was stopped on its way, which then is as not begun.
+bool take_step(Simulation& simulation, const FrameSchedule& schedule, StepReport& report) {
+  try {
+    report = simulation.step(end_of_step(simulation, schedule), false);
+    return true;
+  } catch (const StepStopped&) {
+    return false;
+  }
+}
+
 RunStatus step_to_end(Simulation& simulation, const RunOptions& options,
                       const FrameSchedule& schedule, RunFiles& files, RunStatistics& statistics) {
   ProgressReport progress(simulation, options.progress);
+  const StepStop stop(options.interrupted_in_step);
   double size = 0.0;
   progress.tell(size, true);
   RunStatus status = RunStatus::finished;
   while (simulation.time() < simulation.end()) {
-    const StepReport report = simulation.step(end_of_step(simulation, schedule), false);
+    StepReport report;
+    if (!take_step(simulation, schedule, report)) {
+      status = RunStatus::interrupted;
+      break;
+    }
     size = report.accepted;
     statistics.count(report);
     files.after_step(statistics);
-    progress.tell(size, false);
     if (options.interrupted && options.interrupted()) {
       status = RunStatus::interrupted;
       break;
     }
+    progress.tell(size, false);
   }
   files.stop(statistics);
   progress.tell(size, true);
@@ -134,6 +150,9 @@ RunSummary run(Simulation& simulation, const RunOptions& options) {
     files.begin();
   }
   try {
+    if (!options.resume) {
+      files.write_start();
+    }
     const RunStatus status = step_to_end(simulation, options, schedule, files, measure.now());
     if (status == RunStatus::finished) {
       require_closed_balances(simulation);

@@ -104,6 +104,11 @@ Verification verify(const std::filesystem::path& frames) {
 }
 
 Index rebuild_index(const std::filesystem::path& frames) {
+  const RunLock lock(frames);
+  return rebuild_index(frames, lock);
+}
+
+Index rebuild_index(const std::filesystem::path& frames, const RunLock& /*held*/) {
   FrameIndex index;
   index.name = frames.filename().string();
   std::error_code ignored;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lapilli/core/vector.hpp"
+#include "lapilli/output/run_lock.hpp"
 
 namespace lapilli {
 
@@ -21,7 +22,9 @@ struct Verification {
 Verification verify(const std::filesystem::path& frames);
 
 /// Make a lost or damaged index anew from the data files beside it; returns the number of frames.
-/// Throws OutputError when these cannot be read or are damaged too.
+/// Throws OutputError when these cannot be read or are damaged too, or while a run writes them.
 Index rebuild_index(const std::filesystem::path& frames);
+/// The same by the run that holds the lock of these frames.
+Index rebuild_index(const std::filesystem::path& frames, const RunLock& held);
 
 }  // namespace lapilli

@@ -1,6 +1,8 @@
 #include "lapilli/scene/build.hpp"
 
 #include "lapilli/core/memory.hpp"
+#include "lapilli/output/owned_files.hpp"
+#include "lapilli/output/run_files.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/build_parts.hpp"
 #include "lapilli/scene/memory.hpp"
@@ -40,6 +42,14 @@ void check_probes(const Scene& scene, Simulation& simulation) {
     });
   }
   mistakes.throw_if_any();
+}
+
+// Known now, not when the run would begin to write.
+void check_output(const Scene& scene) {
+  if (!scene.output.path.empty()) {
+    in_file(scene, "output.path",
+            [&] { require_apart(files_of_run(scene.output.path), inputs_of(scene)); });
+  }
 }
 
 void check_fields(const Scene& scene, Simulation& simulation) {
@@ -170,6 +180,7 @@ std::unique_ptr<Simulation> first_stage(const Stages& stages) {
 std::unique_ptr<Simulation> build(const Scene& as_written) {
   Scene scene = with_resolved_files(as_written);
   validate(scene);
+  check_output(scene);
   require_feasible(scene);
   const auto stages = std::make_shared<const Stages>(stage_scenes(std::move(scene)));
   return with_memory_for("build the scene", [&] {

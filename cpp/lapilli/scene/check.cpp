@@ -344,7 +344,7 @@ CheckReport estimate(const Scene& scene, const SizeEstimate& size) {
 CheckReport check(const Scene& scene) {
   const Clock::time_point start = Clock::now();
   validate(with_resolved_files(scene));
-  const SizeEstimate size = size_of(with_resolved_files(scene));
+  const SizeEstimate size = largest_size_of(with_resolved_files(scene));
   if (size.points > most_points || size.memory > most_memory) {
     require_feasible(with_resolved_files(scene));
     return estimate(scene, size);
@@ -362,6 +362,9 @@ CheckReport check(const Scene& scene) {
   describe_step(scene, *simulation, report);
   report.memory =
       memory_of(scene, static_cast<double>(report.nodes), static_cast<double>(report.points));
+  if (!size.stage.empty()) {
+    report.memory = std::max(report.memory, size.memory);
+  }
   report.output = output_of(scene, *simulation);
   describe_stages(scene, *simulation, report);
   measure_steps(scene, *simulation, report);

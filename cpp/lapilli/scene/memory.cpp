@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/core/interruption.hpp"
 #include "lapilli/core/memory.hpp"
 #include "lapilli/geometry/support.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/common_motion.hpp"
 #include "lapilli/scene/place_errors.hpp"
+#include "lapilli/scene/stage_scenes.hpp"
 
 namespace lapilli {
 namespace {
@@ -25,6 +27,7 @@ double share_filled(const Shape& shape, const Bounds& box, int dimension) {
   const auto all = static_cast<Index>(std::lround(std::pow(along, dimension)));
   Index inside = 0;
   for (Index k = 0; k < all; ++k) {
+    allow_interruption();
     Vec3 at = Vec3::Zero();
     Index rest = k;
     for (int axis = 0; axis < dimension; ++axis, rest /= along) {
@@ -144,6 +147,20 @@ SizeEstimate size_of(const Scene& scene) {
   return size;
 }
 
+SizeEstimate largest_size_of(const Scene& scene) {
+  SizeEstimate largest = size_of(scene);
+  if (!scene.stages.empty()) {
+    for (const StageScene& stage : stage_scenes(scene)) {
+      const SizeEstimate size = size_of(stage.scene);
+      if (size.memory > largest.memory) {
+        largest = size;
+        largest.stage = stage.name;
+      }
+    }
+  }
+  return largest;
+}
+
 void require_feasible(const Scene& scene) {
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     if (const std::optional<Shape> shape = placed_shape(scene.bodies[k])) {
@@ -156,11 +173,13 @@ void require_feasible(const Scene& scene) {
                            message("peridynamics.walls.", k));
     }
   }
-  const SizeEstimate size = size_of(scene);
+  const SizeEstimate size = largest_size_of(scene);
   const double available = available_memory();
-  require_at(size.memory <= available, scene, "grid", "has ", size.nodes,
-             " nodes, and the bodies about ", size.points, " points: about ",
-             readable_bytes(size.memory), " of memory, of which ", readable_bytes(available),
+  const std::string bodies =
+      size.stage.empty() ? "the bodies" : "the bodies of stage '" + size.stage + "'";
+  require_at(size.memory <= available, scene, "grid", "has ", size.nodes, " nodes, and ", bodies,
+             " about ", size.points, " points: about ", readable_bytes(size.memory),
+             " of memory, of which ", readable_bytes(available),
              " are available; a larger grid.cell takes less");
 }
 

@@ -1,6 +1,7 @@
 #include "lapilli/scene/run_scene.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 
 #include "lapilli/output/checksum.hpp"
@@ -82,9 +83,25 @@ std::vector<Probe> probes_of(const Scene& scene) {
   return probes;
 }
 
+std::vector<std::filesystem::path> inputs_of(const Scene& as_written) {
+  const Scene scene = with_resolved_files(as_written);
+  const std::vector<std::string> own = input_files(scene);
+  std::vector<std::filesystem::path> all(own.begin(), own.end());
+  if (!scene.stages.empty()) {
+    for (const StageScene& stage : stage_scenes(scene)) {
+      const std::vector<std::string> of_stage = input_files(stage.scene);
+      all.insert(all.end(), of_stage.begin(), of_stage.end());
+    }
+  }
+  return all;
+}
+
 RunOptions run_options(const Scene& scene) {
   RunOptions options;
-  options.output = scene.output.path;
+  if (!scene.output.path.empty()) {
+    options.output = std::filesystem::absolute(scene.output.path);  // a run may change its folder
+  }
+  options.inputs = inputs_of(scene);
   options.frame_interval = scene.output.every.value_or(0.0);
   options.frame_steps = scene.output.every_steps.value_or(0);
   options.frames = frame_options(scene);

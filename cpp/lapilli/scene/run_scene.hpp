@@ -17,6 +17,9 @@ RunOptions run_options(const Scene& scene, const Points& points);
 /// and after `every` seconds, unless it is 0, whatever the scene says of steps between frames.
 Scene with_output(Scene scene, const std::string& path, double every);
 
+/// The files that a scene and its stages read.
+std::vector<std::filesystem::path> inputs_of(const Scene& scene);
+
 /// What of a scene's fields goes into its frames, and how.
 FrameOptions frame_options(const Scene& scene);
 

@@ -4,12 +4,13 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "lapilli/core/require.hpp"
 
 namespace lapilli {
 namespace {
+
+constexpr std::uintmax_t largest_text = std::uintmax_t{1} << 30;  // bytes
 
 Place place_of(const toml::source_region& region) {
   return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
@@ -63,9 +64,14 @@ std::string read_text(const std::string& path) {
   std::error_code ignored;
   require(std::filesystem::exists(path, ignored), path, ": there is no such file");
   require(std::filesystem::is_regular_file(path, ignored), path, ": this is not a regular file");
+  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+  require(!ignored && size <= largest_text, path, ": has ", size,
+          " bytes, more than the 1 GiB of a scene file that are read");
   std::ifstream file(path, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  std::string text(static_cast<std::size_t>(size), '\0');  // no more: /proc/kmsg never ends
+  file.read(text.data(), static_cast<std::streamsize>(size));
   require(file.good() || file.eof(), path, ": the file cannot be read");
+  text.resize(static_cast<std::size_t>(file.gcount()));
   return text;
 }
 

@@ -10,6 +10,8 @@ from cyclopts import Parameter
 from lapilli.commands.codes import FINISHED
 from lapilli.commands.options import Json, Quiet, Verbose
 from lapilli.commands.wrote import wrote
+from lapilli.own_picture import require_own_picture
+from lapilli.whole_file import require_apart
 
 if TYPE_CHECKING:
     from lapilli.plot import Style
@@ -54,6 +56,9 @@ def command(
     if not frames:
         raise ValueError("plot needs the frames of a run (.vtkhdf)")
     target = save or frames[0].with_suffix(".png")
+    require_apart([target], frames)
+    if save is None:
+        require_own_picture(target)
     if history is not None:
         plot.draw_history(frames, history.split(","), target)
     elif probe is not None:

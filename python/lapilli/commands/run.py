@@ -42,16 +42,15 @@ def command(
     path = output or given.output.path or scene.stem + ".vtkhdf"
     result = run(given, path, every, threads=threads, progress=not quiet, resume=resume)
     if json:
-        print_json(as_json(result))
+        print_json(as_json(result, Path(path)))
     elif not quiet:
         print(result.report(), end="")
     return FINISHED
 
 
-def as_json(result: Result) -> dict[str, Any]:
+def as_json(result: Result, output: Path) -> dict[str, Any]:
     """What a run did: its balances and last values, and where the rest lies."""
     summary, simulation = result.summary, result.simulation
-    assert result.output is not None
     return {
         "finished": summary.finished,
         "time": result.time,
@@ -74,6 +73,6 @@ def as_json(result: Result) -> dict[str, Any]:
             name: float(values[-1]) for name, values in summary.history.items() if len(values)
         },
         "warnings": result.warnings,
-        "output": str(result.output),
-        "record": str(result.output.with_suffix(".json")),
+        "output": str(output),
+        "record": str(output.with_suffix(".json")),
     }

@@ -20,6 +20,8 @@ from lapilli.commands.options import (
     load,
 )
 
+PICTURES = ("-effects.png", "-pairs.png", "-response.png")
+
 
 def command(
     scene: SceneFile,
@@ -82,6 +84,7 @@ def command(
     """
     del verbose
     from lapilli.study import show_survey
+    from lapilli.study.own_files import require_own_files
     from lapilli.study.runner import runner_of
     from lapilli.study.sampling import cases_in, parse_values
     from lapilli.study.survey import study
@@ -97,6 +100,8 @@ def command(
         raise ValueError("--minimize chooses its cases: give --vary, not --cases")
     if data is not None and minimize is None:
         raise ValueError("--data needs --minimize NAME: the scalar that shall follow them")
+    files = [name + ending for ending in (".csv", ".jsonl", *PICTURES)]
+    require_own_files([*files, *([name + ".parquet"] if parquet else [])], (scene, cases, data))
     told = None if quiet else show_survey.report
     runner, store = runner_of(workers, scheduler), name + ".jsonl"
     if minimize is not None:

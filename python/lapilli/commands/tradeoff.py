@@ -72,14 +72,19 @@ def command(
     worked.
     """
     del verbose
+    from lapilli.study.own_files import require_own_files
     from lapilli.study.runner import runner_of
     from lapilli.study.show import show_study
 
+    name = output or scene.stem + "-tradeoff"
+    require_own_files(
+        [name + ending for ending in (".csv", ".json", ".png", ".jsonl")], (scene, reference)
+    )
     worked = show_study(
         load(scene, changes),
         vary,
         reference,
-        name=output or scene.stem + "-tradeoff",
+        name=name,
         times=times,
         quantities=quantity or [field],
         norm=norm,

@@ -94,7 +94,7 @@ def report(measurement: Measurement, done: int, all_of_them: int) -> None:
     said = measurement.reason or f"error {measurement.error:.3g}"
     if measurement.cost is not None:
         said += f", {measurement.cost.total_cpu_seconds:.3g} CPU s"
-    print(f"[{done}/{all_of_them}] {measurement.setting}: {said}", file=sys.stderr, flush=True)
+    say(f"[{done}/{all_of_them}] {measurement.setting}: {said}")
 
 
 def short_names(paths: list[str]) -> list[str]:

@@ -1,7 +1,7 @@
 // Preloaded into a writer: kills the process with SIGKILL just before its k-th call that changes a
 // file, k from KILL_AT_WRITE. With KILL_HALF_WAY set, half of the bytes of that call still arrive.
 // Standard output is not counted. With FAIL_AT_WRITE instead, that call and all after it fail as on
-// a full disk; with FAIL_ONCE set too, that call alone.
+// a full disk; with FAIL_ONCE set too, that call alone. With NO_LOCKS the file system knows none.
 
 #include <dlfcn.h>
 #include <sys/types.h>
@@ -95,6 +95,14 @@ EXPORTED int fdatasync(int file) {
 EXPORTED int rename(const char* from, const char* to) noexcept {
   die_if_last([](size_t) {}, 0);
   return is_refused() ? -1 : next<int (*)(const char*, const char*)>("rename")(from, to);
+}
+
+EXPORTED int flock(int file, int operation) noexcept {
+  if (std::getenv("NO_LOCKS") != nullptr) {
+    errno = ENOSYS;
+    return -1;
+  }
+  return next<int (*)(int, int)>("flock")(file, operation);
 }
 
 }  // extern "C"

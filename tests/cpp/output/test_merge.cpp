@@ -3,6 +3,7 @@
 #include "lapilli/output/hdf5_file.hpp"
 #include "lapilli/output/merge.hpp"
 #include "lapilli/output/output_error.hpp"
+#include "lapilli/output/run_lock.hpp"
 #include "lapilli/output/vtkhdf_writer.hpp"
 #include "output/made_frames.hpp"
 #include "output/scratch_folder.hpp"
@@ -49,7 +50,15 @@ TEST_CASE("what cannot be merged says why") {
   REQUIRE_THROWS_WITH(merge(folder / "missing.vtkhdf", merged), Catch::Contains("missing.vtkhdf"));
   REQUIRE_THROWS_WITH(merge(path, folder / "no" / "merged.vtkhdf"),
                       Catch::Contains("No such file"));
+  write_series(folder / "other.vtkhdf", 5);
+  REQUIRE_THROWS_WITH(merge(path, folder / "other.vtkhdf"), Catch::Contains("other.vtkhdf.data"));
+  {
+    const RunLock lock(merged);
+    REQUIRE_THROWS_WITH(merge(path, merged), Catch::Contains("another run"));
+  }
   merge(path, merged);
+  merge(path, merged);  // over its like
+  REQUIRE_FALSE(std::filesystem::exists(folder / "merged.vtkhdf.lock"));
   REQUIRE_THROWS_WITH(merge(merged, folder / "again.vtkhdf"), Catch::Contains("merged"));
   std::filesystem::remove(data_path(path, 0));
   REQUIRE_THROWS_WITH(merge(path, folder / "again.vtkhdf"), Catch::Contains("run.vtkhdf.data"));

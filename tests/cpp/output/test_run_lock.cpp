@@ -167,18 +167,58 @@ TEST_CASE("files and links of others are neither overwritten nor removed") {
 
 TEST_CASE("what a dead writer left unfinished is cleared away, and nothing else") {
   const ScratchFolder folder;
-  for (const char* name : {"run.vtkhdf.12-3.tmp", "run.vtkhdf.data.12-4.tmp", "run.json.7-1.tmp"}) {
-    put_bytes(folder / name, "half");
+  const std::vector<std::string> left = {"run.vtkhdf.unfinished-12-3.tmp",
+                                         "run.vtkhdf.data.unfinished-12-4.tmp",
+                                         "run.json.unfinished-7-1.tmp"};
+  const std::vector<std::string> mine = {
+      "run.vtkhdf.tmp",         "run.vtkhdf.mine.tmp",       "other.vtkhdf.unfinished-12-3.tmp",
+      "run.vtkhdf.2026.tmp",    "run.json.2026-11-30.tmp",   "run.csv.12-3.tmp",
+      "run.csv.unfinished.tmp", "run.csv.unfinished-12.tmp", "run.csv.unfinished-12-3.tmp.csv"};
+  for (const std::string& name : left) {
+    put_bytes(folder / name.c_str(), "half");
   }
-  for (const char* name : {"run.vtkhdf.tmp", "run.vtkhdf.mine.tmp", "other.vtkhdf.12-3.tmp"}) {
-    put_bytes(folder / name, "mine");
+  for (const std::string& name : mine) {
+    put_bytes(folder / name.c_str(), "mine");
   }
   Simulation simulation = made_simulation(1.0);
   run(simulation, options_for(folder / "run.vtkhdf"));
-  REQUIRE_FALSE(std::filesystem::exists(folder / "run.vtkhdf.12-3.tmp"));
-  REQUIRE_FALSE(std::filesystem::exists(folder / "run.vtkhdf.data.12-4.tmp"));
-  REQUIRE_FALSE(std::filesystem::exists(folder / "run.json.7-1.tmp"));
-  REQUIRE(std::filesystem::exists(folder / "run.vtkhdf.tmp"));
-  REQUIRE(std::filesystem::exists(folder / "run.vtkhdf.mine.tmp"));
-  REQUIRE(std::filesystem::exists(folder / "other.vtkhdf.12-3.tmp"));
+  for (const std::string& name : left) {
+    REQUIRE_FALSE(std::filesystem::exists(folder / name.c_str()));
+  }
+  for (const std::string& name : mine) {
+    CAPTURE(name);
+    REQUIRE(std::filesystem::exists(folder / name.c_str()));
+  }
+}
+
+TEST_CASE("a run writes over none of its inputs, by whatever name") {
+  const ScratchFolder folder;
+  const auto output = folder / "run.vtkhdf";
+  Simulation simulation = made_simulation(1.0);
+  run(simulation, options_for(output));
+  for (const std::filesystem::path& file : files_of_run(output)) {
+    CAPTURE(file);
+    const std::string before = std::filesystem::exists(file) ? bytes_of(file) : "";
+    RunOptions options = options_for(folder / "." / "run.vtkhdf");
+    options.inputs = {file};
+    options.resume = GENERATE(false, true);
+    Simulation again = made_simulation(1.0);
+    REQUIRE_THROWS_WITH(run(again, options), Catch::Contains(file.filename().string()));
+    REQUIRE((std::filesystem::exists(file) ? bytes_of(file) : "") == before);
+  }
+}
+
+TEST_CASE("a table beside a record is written over only where it is the record's") {
+  const ScratchFolder folder;
+  Simulation first = made_simulation(1.0), second = made_simulation(1.0);
+  run(first, options_for(folder / "run.vtkhdf"));
+  SECTION("its own") { REQUIRE_NOTHROW(run(second, options_for(folder / "run.vtkhdf"))); }
+  SECTION("one of measurements") {
+    const std::string text =
+        GENERATE("x,y\nmy,measurements\n", "time,measured\n0,1\n", "time\tx\n");
+    put_bytes(folder / "run.csv", text);
+    REQUIRE_THROWS_WITH(run(second, options_for(folder / "run.vtkhdf")),
+                        Catch::Contains("run.csv"));
+    REQUIRE(bytes_of(folder / "run.csv") == text);
+  }
 }

@@ -1,5 +1,6 @@
 """A disk that fails at any write costs no frame that was told, and crashes nothing."""
 
+import json
 import os
 import resource
 import subprocess
@@ -64,6 +65,8 @@ def test_every_write_made_to_fail_in_turn(drivers, tmp_path, once):
             break
         assert run.returncode == 1, run.stderr
         assert "No space left" in run.stderr
+        if once and (folder / "run.json").exists():  # there was room to say so
+            assert json.loads((folder / "run.json").read_text())["status"] == "failed"
         if (folder / "run.checkpoint").exists():  # with room again it goes on
             again = subprocess.run([drivers.run, "resume", folder / "run.vtkhdf"])
             assert again.returncode == 0

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lapilli/core/interruption.hpp"
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/mpm/quasi_static/equilibrium.hpp"
 
@@ -180,6 +181,7 @@ void Equilibrium<Dim>::assemble_yielding(const Eigen::VectorXd& u, double elasti
 template <int Dim>
 void Equilibrium<Dim>::assemble_group(const typename PointWeights<Dim>::Group& group,
                                       const auto& add_point) {
+  allow_interruption();
   const int nodes = group.box.node_count(), width = nodes * Dim;
   static thread_local std::vector<double> values;
   static thread_local std::vector<int> rows;
@@ -224,6 +226,7 @@ void Equilibrium<Dim>::assemble_surfaces() {
     }
     rows.resize(nodes);
     for (const CellBox<Dim>& pair : loads_.ghost_pairs[axis]) {
+      allow_interruption();
       const Eigen::MatrixXd scaled = ghost_stiffness(pair, axis) * matrix;
       system_.rows(grid_, pair, rows.data());
       system_.add(rows.data(), nodes, scaled.data());

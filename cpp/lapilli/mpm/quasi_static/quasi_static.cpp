@@ -6,6 +6,7 @@
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/core/step_stop.hpp"
 #include "lapilli/mpm/quasi_static/secants.hpp"
 
 namespace lapilli {
@@ -22,7 +23,8 @@ double stiffer(double elastic_share) {
 }  // namespace
 
 template <int Dim>
-typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(double from, double to) {
+typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(
+    double from, double to, std::unique_ptr<Interruption> stoppable) {
   Report report = report_;
   Loads<Dim> loads = collect_loads(to);
   if (!reference_.factorised) {
@@ -45,6 +47,7 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(double from, double
   }
   report.penetration =
       boundary_.deepest_penetration(grid_, points_, moves, to, std::as_const(guarded_).values());
+  stoppable.reset();  // from here on the step changes the state
   support_forces_ = equilibrium.support_forces(u, static_cast<int>(boundary_.walls()));
   for (std::size_t w = 0; w < support_forces_.size(); ++w) {
     support_forces_[w] += carried * reference_.support_forces[w];

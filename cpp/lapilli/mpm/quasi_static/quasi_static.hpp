@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "lapilli/core/interruption.hpp"
 #include "lapilli/core/physics.hpp"
 #include "lapilli/core/points.hpp"
 #include "lapilli/core/warnings.hpp"
@@ -78,7 +79,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   void note_geometry();
   Equilibrium<Dim> equilibrium_under(const Loads<Dim>& loads);
   Report attempt(double from, double to);
-  Report try_step(double from, double to);
+  Report try_step(double from, double to, std::unique_ptr<Interruption> stoppable);
   void undo_reset(const Archive& before);
   /// Energy of what smoothing over the nodes changes in the stress, over its own.
   double roughness() const;
