@@ -52,6 +52,7 @@ void describe_bodies(const Scene& scene, const Simulation& simulation, CheckRepo
     report.bodies.push_back({body.name, 0, 0.0, 0.0, body.of_shape});
   }
   report.notes = volume_warnings(volumes, points.dimension());
+  std::ranges::copy(packing_warnings(scene, points), std::back_inserter(report.notes));
   if (scene.peridynamics) {
     for (const FluidWallBody& wall : scene.peridynamics->walls) {
       report.bodies.push_back({message("wall ", wall.name), 0, 0.0, 0.0, {}});
