@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from lapilli._core import Scene
+from lapilli.record import read_record
 from lapilli.study.settings import Setting
 
 # Of each section, the members that say how a problem is solved or what is written of it. All others
@@ -50,7 +51,7 @@ def require_same_problem(
     record = Path(frames).with_suffix(".json")
     if not record.is_file():
         return
-    held = json.loads(record.read_text())
+    held = read_record(record)
     theirs = flat(held.get("settings") or {})
     ours = flat(json.loads(scene.to_json()))
     varied = {path for setting in settings for path, _ in setting.changes}
