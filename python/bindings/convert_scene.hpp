@@ -43,7 +43,5 @@ namespace pybind11::detail {
 template <>
 class type_caster<lapilli::GivenPoints>
     : public lapilli::python::InitializedCaster<lapilli::GivenPoints> {};
-template <>
-class type_caster<lapilli::Places> : public lapilli::python::InitializedCaster<lapilli::Places> {};
 
 }  // namespace pybind11::detail

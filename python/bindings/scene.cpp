@@ -4,6 +4,13 @@
 #include "convert_scene.hpp"
 #include "lapilli/scene/tree_reader.hpp"
 
+namespace pybind11::detail {
+
+template <>
+class type_caster<lapilli::Places> : public lapilli::python::InitializedCaster<lapilli::Places> {};
+
+}  // namespace pybind11::detail
+
 namespace lapilli::python {
 namespace {
 
