@@ -16,5 +16,8 @@ void bind_reports(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
 void bind_run(pybind11::module_& module);
 void bind_frames(pybind11::module_& module);
+/// How objects of all classes above are copied and pickled, in every protocol: Python's own way for
+/// the first two makes an object of another class and aborts.
+void bind_pickling(pybind11::module_& module);
 
 }  // namespace lapilli::python

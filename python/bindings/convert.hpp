@@ -68,12 +68,28 @@ class TrustObjects {
 template <class Member>
 struct Convert;
 
+/// Whether a number of NumPy is complex or a truth value: read as a number it would lose what it
+/// says.
+inline bool is_other_kind(py::handle given) {
+  if (PyFloat_CheckExact(given.ptr()) || PyLong_CheckExact(given.ptr())) {
+    return false;  // the most usual, in lists of thousands
+  }
+  if (PyComplex_Check(given.ptr()) || PyBool_Check(given.ptr())) {
+    return true;
+  }
+  if (!py::hasattr(given, "dtype") || !py::hasattr(given.attr("dtype"), "kind")) {
+    return false;
+  }
+  const std::string kind = py::str(given.attr("dtype").attr("kind"));
+  return kind == "b" || kind == "c";
+}
+
 template <>
 struct Convert<double> {
   static constexpr bool keeps_object = false;
   static std::string type_name() { return "float"; }
   static void load(const Where& where, py::handle given, double& member) {
-    if (PyBool_Check(given.ptr()) || PyUnicode_Check(given.ptr()) || !PyNumber_Check(given.ptr())) {
+    if (is_other_kind(given) || PyUnicode_Check(given.ptr()) || !PyNumber_Check(given.ptr())) {
       where.refuse("a number", given);
     }
     member = PyFloat_AsDouble(given.ptr());
@@ -91,7 +107,7 @@ requires(std::is_integral_v<Integer> && !std::is_same_v<Integer, bool>) struct C
   static constexpr bool keeps_object = false;
   static std::string type_name() { return "int"; }
   static void load(const Where& where, py::handle given, Integer& member) {
-    const auto number = PyBool_Check(given.ptr())
+    const auto number = is_other_kind(given)
                             ? py::object()
                             : py::reinterpret_steal<py::object>(PyNumber_Index(given.ptr()));
     PyErr_Clear();

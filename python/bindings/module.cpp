@@ -36,4 +36,5 @@ PYBIND11_MODULE(_core, module) {
   bind_simulation(module);
   bind_run(module);
   bind_frames(module);
+  bind_pickling(module);
 }

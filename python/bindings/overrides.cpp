@@ -38,7 +38,9 @@ bool is_listed(py::handle given) {
 }
 
 void fill_tree(const Where& where, py::handle given, Tree& tree) {
-  if (PyBool_Check(given.ptr())) {
+  if (!is_listed(given) && !PyBool_Check(given.ptr()) && is_other_kind(given)) {
+    where.refuse("a dict of numbers, words, lists, tables in time and dicts", given);
+  } else if (PyBool_Check(given.ptr())) {
     tree.value = given.ptr() == Py_True;
   } else if (PyUnicode_Check(given.ptr())) {
     tree.value = std::string(py::str(given));

@@ -8,6 +8,7 @@
 #include "lapilli/output/verify.hpp"
 #include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/check.hpp"
+#include "lapilli/scene/identity.hpp"
 #include "lapilli/scene/keys.hpp"
 #include "lapilli/scene/run_scene.hpp"
 #include "lapilli/scene/run_text.hpp"
@@ -242,6 +243,20 @@ void bind_run(py::module_& module) {
       py::arg("scene"),
       "unused_settings(scene: Scene) -> list[str]\n\nSettings that nothing reads in this scene, "
       "with the reason.");
+  module.def(
+      "scene_identity",
+      [](const py::object& given) {
+        const Scene scene = scene_of(given);
+        const SceneIdentity identity = [&] {
+          const py::gil_scoped_release release;
+          return identity_of(scene);
+        }();
+        return py::make_tuple(identity.lines, identity.not_compared);
+      },
+      py::arg("scene"),
+      "scene_identity(scene: Scene) -> tuple[str, list[str]]\n\nWhat makes a scene the same "
+      "problem, arrays and input files by their checksums; and the keys given as functions, which "
+      "nothing can compare. End, output and title are left out.");
   module.def(
       "merge",
       [](const py::object& from, const py::object& to) {

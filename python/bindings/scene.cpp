@@ -4,6 +4,13 @@
 #include "convert_scene.hpp"
 #include "lapilli/scene/tree_reader.hpp"
 
+namespace pybind11::detail {
+
+template <>
+class type_caster<lapilli::Places> : public lapilli::python::InitializedCaster<lapilli::Places> {};
+
+}  // namespace pybind11::detail
+
 namespace lapilli::python {
 namespace {
 
@@ -118,7 +125,9 @@ void bind_files(py::class_<Record<Scene>>& bound) {
       .def(
           "save",
           [](const py::object& scene, const py::object& path) {
-            save_scene(scene_of(scene), file_name(path));
+            const Scene made = scene_of(scene);
+            const std::string name = file_name(path);
+            without_gil([&] { save_scene(made, name); });
           },
           py::arg("path"),
           ("save" + self +
@@ -129,7 +138,9 @@ void bind_files(py::class_<Record<Scene>>& bound) {
       .def(
           "to_toml",
           [](const py::object& scene, bool everything) {
-            return to_toml(scene_of(scene), everything ? Members::all : Members::changed);
+            const Scene made = scene_of(scene);
+            return without_gil(
+                [&] { return to_toml(made, everything ? Members::all : Members::changed); });
           },
           py::arg("everything") = false,
           ("to_toml" + self +
@@ -137,7 +148,11 @@ void bind_files(py::class_<Record<Scene>>& bound) {
            "`everything`.")
               .c_str())
       .def(
-          "to_json", [](const py::object& scene) { return to_json(scene_of(scene)); },
+          "to_json",
+          [](const py::object& scene) {
+            const Scene made = scene_of(scene);
+            return without_gil([&] { return to_json(made); });
+          },
           ("to_json" + self +
            ") -> str\n\nEvery setting with defaults filled in; functions and arrays are named "
            "only.")

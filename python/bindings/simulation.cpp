@@ -106,7 +106,11 @@ py::dict volumes(PythonSimulation& simulation) {
   py::dict all;
   const Simulation& now = simulation.get();
   const Scene scene = stage_scenes(with_resolved_files(simulation.scene())).at(now.stage()).scene;
-  for (const BodyVolume& body : body_volumes(scene, now.points())) {
+  const std::vector<BodyVolume> of_bodies = [&] {
+    const py::gil_scoped_release release;
+    return body_volumes(scene, now.points());
+  }();
+  for (const BodyVolume& body : of_bodies) {
     all[py::str(body.name)] = py::make_tuple(body.volume, body.of_shape);
   }
   return all;

@@ -8,7 +8,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['Annulus', 'Balance', 'Body', 'BodyContact', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'DruckerPrager', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'FunctionSolid', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeatContact', 'HeightField', 'Image', 'Intersection', 'Mesh', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'Stage', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'TabulatedMohrCoulomb', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'VonMises', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify', 'version_text']
+__all__: list[str] = ['Annulus', 'Balance', 'Body', 'BodyContact', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'DruckerPrager', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'FunctionSolid', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeatContact', 'HeightField', 'Image', 'Intersection', 'Mesh', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'Stage', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'TabulatedMohrCoulomb', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'VonMises', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_identity', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify', 'version_text']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -4812,6 +4812,10 @@ def rebuild_index(frames: str) -> int:
 def run_simulation(simulation: Simulation, scene: Scene, resume: bool, progress: collections.abc.Callable[[Progress], None] | None, callback: collections.abc.Callable[[Simulation], typing.Any] | None, signals: collections.abc.Callable[[], None] | None = None) -> RunSummary:
     """
     Run to the end of the scene and leave what its output section asks for. After Ctrl-C, or an error in the callback or the progress, the last frame and checkpoint are written before it is raised. `signals` is asked between steps to raise those that were held back.
+    """
+def scene_identity(scene: Scene) -> tuple[str, list[str]]:
+    """
+    What makes a scene the same problem, arrays and input files by their checksums; and the keys given as functions, which nothing can compare. End, output and title are left out.
     """
 def scene_schema() -> str:
     """

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import json
 import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -15,6 +14,7 @@ import numpy.typing as npt
 from lapilli import _core
 from lapilli.components import component_of, parted
 from lapilli.part import Part
+from lapilli.record import read_record
 
 if TYPE_CHECKING:
     import pyvista
@@ -81,14 +81,24 @@ class Frame:
         return self.frames.reader.read(self.number, name)
 
 
+def way_back(path: Path) -> str:
+    """What can be done about an index that is lost or damaged, as the end of a message."""
+    if not path.with_name(path.name + ".data").is_file():
+        return ""
+    return f"; its numbers are there: lapilli verify {path} --rebuild makes the index anew"
+
+
 class Frames:
     """The frames of a run, in the order of time: ``Frames("ring.vtkhdf")[-1]`` is the last."""
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self.path = Path(path)
         if not self.path.is_file():
-            raise FileNotFoundError(f"{self.path}: no such file")
-        self.reader = _core.FrameReader(os.fspath(self.path))
+            raise FileNotFoundError(f"{self.path}: no such file{way_back(self.path)}")
+        try:
+            self.reader = _core.FrameReader(os.fspath(self.path))
+        except (_core.OutputError, ValueError) as error:
+            raise type(error)(f"{error}{way_back(self.path)}") from None
         self.times: npt.NDArray[np.float64] = np.array(self.reader.times)
         self.fields: list[str] = sorted(self.reader.fields)
         self.point_counts: list[int] = self.reader.point_counts
@@ -144,8 +154,7 @@ class Frames:
         """The run record beside the frames; None where there is none."""
         if not self.record_path.is_file():
             return None
-        record: dict[str, Any] = json.loads(self.record_path.read_text())
-        return record
+        return read_record(self.record_path)
 
     @functools.cached_property
     def body_names(self) -> list[str] | None:

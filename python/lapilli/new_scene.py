@@ -59,7 +59,18 @@ def text(
     spelt = {name: repr(float(f"{value:.12g}")) for name, value in numbers.items()}
     spelt |= {"modulus": repr(float(f"{1e6 * size:.3g}")), "radius": repr(size / 2)}
     template = Template((TEMPLATES / f"{method}.toml").read_text())
-    return template.substitute(spelt, file=file, stem=Path(file).stem)
+    return template.substitute(spelt, file=on_one_line(file), stem=in_quotes(Path(file).stem))
+
+
+def on_one_line(name: str) -> str:
+    """The name of a file for a comment."""
+    return "".join(letter if letter.isprintable() else "?" for letter in name)
+
+
+def in_quotes(name: str) -> str:
+    """A name as it stands between the quotes of TOML."""
+    spelt = name.replace("\\", "\\\\").replace('"', '\\"')
+    return "".join(one if one.isprintable() else f"\\u{ord(one):04x}" for one in spelt)
 
 
 def places(method: str, cells: int) -> dict[str, float]:

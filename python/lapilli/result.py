@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import copy
 import functools
-import json
 import logging
 import os
 import threading
@@ -23,6 +22,7 @@ from lapilli.frames import Frames
 from lapilli.history import History, history_of
 from lapilli.part import Part, names_of
 from lapilli.progress import progress_bar
+from lapilli.record import read_record
 from lapilli.signals import held_back
 
 if TYPE_CHECKING:
@@ -136,8 +136,7 @@ class Result:
         """The run record that lies beside the frames: settings, version, timings, balances."""
         if self.output is None:
             raise ValueError("the run wrote no record: give output='name.vtkhdf'")
-        record: dict[str, Any] = json.loads(self.output.with_suffix(".json").read_text())
-        return record
+        return read_record(self.output.with_suffix(".json"))
 
     @property
     def warnings(self) -> list[str]:

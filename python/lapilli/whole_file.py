@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import tempfile
 import uuid
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -14,11 +15,17 @@ def whole_file(path: str | os.PathLike[str]) -> Iterator[Path]:
     """A name beside `path` with the same ending, to be written to.
 
     When the block ends, what was written takes the place of `path`; when it fails, a former file
-    stays as it was and nothing remains. Devices and pipes are written to as they are.
+    stays as it was and nothing remains. Devices and pipes take the bytes when all are there.
     """
     target = Path(path).resolve()
     if target.exists() and not target.is_file():
-        yield target
+        with tempfile.TemporaryDirectory() as folder:
+            made = Path(folder) / f"made{target.suffix or Path(path).suffix}"
+            yield made
+            # Some libraries put an ending to a name without one.
+            (written,) = Path(folder).iterdir()
+            with target.open("wb", buffering=0) as device:
+                device.write(written.read_bytes())
         return
     written = target.with_name(f"{target.stem}.{uuid.uuid4().hex[:12]}{target.suffix}")
     try:

@@ -4,8 +4,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/file_bytes.hpp"
@@ -19,19 +21,66 @@ std::string_view without_quotes(std::string_view word) {
   return quoted ? word.substr(1, word.size() - 2) : word;
 }
 
-std::vector<std::string> words_of(std::string line) {
-  line = line.substr(0, line.find('#'));
-  for (char& letter : line) {
-    if (letter == ',' || letter == ';') {
-      letter = ' ';
+bool is_separator(char letter) { return letter == ',' || letter == ';'; }
+
+// The cells of a line, parted by commas or semicolons; one where there are none.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  for (const char letter : line) {
+    if (is_separator(letter)) {
+      cells.emplace_back();
+    } else {
+      cells.back() += letter;
     }
   }
-  std::istringstream stream(line);
+  return cells;
+}
+
+std::vector<std::string> words_of(const std::string& cell) {
+  std::istringstream stream(cell);
   std::vector<std::string> words;
   for (std::string word; stream >> word;) {
     words.emplace_back(without_quotes(word));
   }
   return words;
+}
+
+std::vector<std::string> all_words_of(const std::vector<std::string>& cells) {
+  std::vector<std::string> words;
+  for (const std::string& cell : cells) {
+    std::ranges::move(words_of(cell), std::back_inserter(words));
+  }
+  return words;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    text += (text.empty() ? "" : " ") + word;
+  }
+  return text;
+}
+
+// "x [m], y [m]" and "x [m] y [m]": a unit in brackets belongs to the name before it.
+std::vector<std::string> names_in(const std::string& line) {
+  const std::vector<std::string> cells = cells_of(line);
+  std::vector<std::string> names;
+  if (cells.size() > 1) {
+    for (const std::string& cell : cells) {
+      std::string name = joined(words_of(cell));
+      names.emplace_back(without_quotes(name));
+    }
+    return names;
+  }
+  for (const std::string& word : words_of(line)) {
+    const bool is_unit = !names.empty() && (word.front() == '[' || word.front() == '(');
+    if (is_unit) {
+      names.back() += ' ' + word;
+    } else {
+      names.push_back(word);
+    }
+  }
+  return names;
 }
 
 // Also words that are numbers but for a slip: O.5, 1.0D-2, l0.
@@ -78,32 +127,59 @@ class Line {
   int number_;
 };
 
+// What a line says, and what its comment does.
+std::pair<std::string, std::string> parted_at_comment(const std::string& line) {
+  const std::size_t at = line.find('#');
+  const std::size_t begin = at == line.npos ? at : line.find_first_not_of('#', at);
+  return {line.substr(0, at), begin == line.npos ? "" : line.substr(begin)};
+}
+
+bool is_row_of_names(const std::vector<std::string>& words) {
+  return std::ranges::none_of(words, looks_like_number) &&
+         std::ranges::none_of(words, [](const std::string& word) {
+           return word == "nan" || word == "NaN" || word == "inf" || word == "Inf";
+         });
+}
+
+void require_no_gap(const std::string& path, int line, const std::vector<std::string>& cells) {
+  for (std::size_t column = 0; column < cells.size(); ++column) {
+    require(!words_of(cells[column]).empty(), path, ", line ", line, ", column ", column + 1,
+            ": the cell is empty");
+  }
+}
+
 }  // namespace
 
-void each_number_row(const std::string& path,
-                     const std::function<void(const std::vector<double>&, int line)>& visit) {
+void each_number_row(const std::string& path, const RowVisitor& visit, const NamesVisitor& named) {
   std::string bytes = read_bytes(path);
   if (bytes.compare(0, 3, "\xEF\xBB\xBF") == 0) {
     bytes.erase(0, 3);
   }
   std::istringstream lines(std::move(bytes));
   std::vector<double> numbers;
+  ColumnNames names;
+  bool is_first = true;
   std::string text;
-  bool names_allowed = true;
   for (int number = 1; std::getline(lines, text); ++number) {
-    const std::vector<std::string> words = words_of(text);
+    const auto [content, remark] = parted_at_comment(text);
+    const std::vector<std::string> cells = cells_of(content);
+    const std::vector<std::string> words = all_words_of(cells);
     if (words.empty()) {
+      if (is_first && !remark.empty()) {
+        names = {names_in(remark), number, true};
+      }
       continue;
     }
-    const bool is_names = names_allowed &&
-                          std::none_of(words.begin(), words.end(), looks_like_number) &&
-                          std::none_of(words.begin(), words.end(), [](const std::string& word) {
-                            return word == "nan" || word == "NaN" || word == "inf" || word == "Inf";
-                          });
-    names_allowed = false;
-    if (is_names) {
+    if (is_first && is_row_of_names(words)) {
+      names = {names_in(content), number, false};
+    }
+    if (is_first && named && names.line > 0) {
+      named(names);
+    }
+    if (std::exchange(is_first, false) && names.line == number) {
       continue;
     }
+    require_no_gap(path, number, cells);
     const Line line(path, number);
     numbers.clear();
     for (std::size_t column = 0; column < words.size(); ++column) {
@@ -113,16 +189,43 @@ void each_number_row(const std::string& path,
   }
 }
 
+namespace {
+
+void require_time_first(const std::string& path, const ColumnNames& names) {
+  const auto is_time = [](const std::string& name) {
+    return name == "t" || name == "time" || name == "Time" || name.starts_with("time [") ||
+           name.starts_with("Time [") || name.starts_with("time (") || name.starts_with("Time (");
+  };
+  if (names.of.size() != 2) {
+    return;
+  }
+  require(!is_time(names.of[1]), path, ", line ", names.line,
+          ", column 2: times belong into the first column, it is named '", names.of[0], "'");
+  const std::string unit = unit_in(names.of[0]);
+  require(!is_time(names.of[0]) || unit.empty() || unit == "s", path, ", line ", names.line,
+          ", column 1: times are in s, not in ", unit);
+}
+
+}  // namespace
+
+std::string unit_in(const std::string& name) {
+  const std::size_t begin = name.find_first_of("[("), end = name.find_last_of("])");
+  return begin == name.npos || end == name.npos || end < begin
+             ? ""
+             : name.substr(begin + 1, end - begin - 1);
+}
+
 TwoColumns read_two_columns(const std::string& path) {
   TwoColumns columns;
-  each_number_row(path, [&](const std::vector<double>& numbers, int line) {
+  const auto add = [&](const std::vector<double>& numbers, int line) {
     require(numbers.size() == 2, path, ", line ", line, ": two columns are needed, got ",
             numbers.size(), numbers.size() == 1 ? " number" : " numbers");
     require(std::isfinite(numbers[0]) && std::isfinite(numbers[1]), path, ", line ", line,
             ": numbers must be finite, got ", numbers[0], " and ", numbers[1]);
     columns.first.push_back(numbers[0]);
     columns.second.push_back(numbers[1]);
-  });
+  };
+  each_number_row(path, add, [&](const ColumnNames& names) { require_time_first(path, names); });
   require(!columns.first.empty(), path, ": the file holds no row of numbers");
   return columns;
 }

@@ -7,6 +7,7 @@
 #include "lapilli/geometry/checks.hpp"
 #include "lapilli/geometry/npy_file.hpp"
 #include "lapilli/geometry/number_rows.hpp"
+#include "lapilli/geometry/point_columns.hpp"
 
 namespace lapilli {
 namespace {
@@ -67,10 +68,16 @@ class Rows {
   FilledPoints points_;
 };
 
-void read_text(const std::string& path, Rows& rows) {
-  each_number_row(path, [&](const std::vector<double>& numbers, int line) {
-    rows.add(numbers, {", line ", static_cast<std::size_t>(line)});
-  });
+void read_text(const std::string& path, int dimension, Rows& rows) {
+  PointColumns columns;
+  const auto add = [&](const std::vector<double>& numbers, int line) {
+    require(columns.count() == 0 || numbers.size() == columns.count(), path, ", line ", line,
+            ": got ", numbers.size(), numbers.size() == 1 ? " number" : " numbers",
+            ", the names above are ", columns.count());
+    rows.add(columns.in_order(numbers), {", line ", static_cast<std::size_t>(line)});
+  };
+  each_number_row(
+      path, add, [&](const ColumnNames& names) { columns = PointColumns(path, dimension, names); });
 }
 
 void read_npy(const std::string& path, Rows& rows) {
@@ -89,7 +96,7 @@ FilledPoints read_points(const std::string& path, int dimension, double volume) 
   if (path.ends_with(".npy")) {
     read_npy(path, rows);
   } else {
-    read_text(path, rows);
+    read_text(path, dimension, rows);
   }
   return rows.finish();
 }

@@ -126,6 +126,9 @@ Index FrameIndex::capacity() const {
 
 void FrameIndex::cut(Index frames) {
   times.resize(static_cast<std::size_t>(frames));
+  if (!sums.empty()) {
+    sums.resize(static_cast<std::size_t>(frames));
+  }
   if (points_leave) {
     counts.resize(static_cast<std::size_t>(frames));
   }
@@ -167,6 +170,10 @@ void write_index_group(std::int64_t file, const FrameIndex& index) {
   hdf5_attribute(own, "name", index.name);
   hdf5_attribute<Index>(own, "capacities", index.capacities);
   hdf5_attribute<Index>(own, "merged", merged);
+  if (!index.sums.empty()) {
+    const std::vector<Index> sums(index.sums.begin(), index.sums.end());
+    hdf5_write<Index>(own, "sums", sums);
+  }
   write_form(own, index);
 }
 
@@ -245,6 +252,11 @@ FrameIndex read_group(hid_t file) {
     require(
         points.size() == index.times.size() && *std::ranges::max_element(points) <= index.points,
         "its numbers of points are damaged");
+  }
+  if (hdf5_exists(own, "sums")) {
+    const std::vector<Index> sums = hdf5_read<Index>(own, "sums");
+    require(sums.size() == index.times.size(), "its checksums of frames are damaged");
+    index.sums.assign(sums.begin(), sums.end());
   }
   index.addresses = read_addresses(own, index);
   for (const Column& column : index.columns) {

@@ -15,6 +15,7 @@ struct FrameIndex : FrameLayout {
   std::vector<double> times;              // s, one a frame
   std::vector<Index> counts;              // points of each frame, where they may leave
   std::vector<std::vector<Index>> slots;  // of each column, one a frame
+  std::vector<std::uint64_t> sums;        // of each frame's entry in the journal; none in old files
   std::vector<Index> capacities;          // slots of each data file
   std::vector<Addresses> addresses;       // in each data file
   std::string name;                       // the data files are called name.data, name.data1, ...
@@ -23,6 +24,10 @@ struct FrameIndex : FrameLayout {
   Index frames() const { return static_cast<Index>(times.size()); }
   Index points_of(Index frame) const {
     return points_leave ? counts[static_cast<std::size_t>(frame)] : points;
+  }
+  /// Whether an entry of the journal is that of the frame which the index knows.
+  bool knows(const FrameEntry& entry) const {
+    return sums.empty() || sums[static_cast<std::size_t>(entry.frame)] == entry.sum();
   }
   Index capacity() const;
   /// Forget the frames after the first `frames`.

@@ -21,6 +21,8 @@ struct FrameEntry {
     return 3 + 2 * static_cast<Index>(columns) + (points_leave ? 1 : 0);
   }
   Words to_words() const;
+  /// The checksum of all that the entry says, and so of every number of the frame.
+  std::uint64_t sum() const { return to_words().back(); }
   /// Nothing when the words are no entry, or a damaged one.
   static std::optional<FrameEntry> from_words(const Words& words);
 };

@@ -45,6 +45,11 @@ FrameEntry FrameReader::entry(Index frame) {
                               " (time ", index_.times[number],
                               " s) cannot be checked, its entry in the journal is not whole"));
   }
+  if (!index_.knows(*entry)) {
+    throw OutputError(message("'", data(file).path().string(), "' does not belong to '",
+                              path_.string(), "': frame ", frame, " (time ", index_.times[number],
+                              " s) is not the one that the index names"));
+  }
   return *entry;
 }
 

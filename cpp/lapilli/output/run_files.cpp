@@ -4,6 +4,7 @@
 #include "lapilli/output/checkpoint.hpp"
 #include "lapilli/output/checksum.hpp"
 #include "lapilli/output/file.hpp"
+#include "lapilli/output/frame_reader.hpp"
 #include "lapilli/output/owned_files.hpp"
 #include "lapilli/output/verify.hpp"
 
@@ -124,11 +125,26 @@ void RunFiles::resume(RunStatistics& statistics) {
   history_.load(checkpoint.state);
   stepped_ = time;
   if (kept_frames_ > 0) {
+    require_own_frames(checkpoint.state);
     require_same_form(options_.output, simulation_.points(), simulation_.fields(), options_.frames);
   }
   writer_ =
       VtkhdfWriter::resume(options_.output, kept_frames_, schedule_.planned(), options_.frames);
   write_record("running", statistics);
+}
+
+/// The checkpoint names the last frame before it by its checksum.
+void RunFiles::require_own_frames(const Archive& state) const {
+  if (!state.contains("run/last_frame")) {
+    return;  // of a former version
+  }
+  FrameReader reader(options_.output);
+  const Index last = kept_frames_ - 1;
+  const bool fits =
+      last < reader.index().frames() &&
+      static_cast<Index>(reader.entry(last).sum()) == state.read_index("run/last_frame");
+  require(fits, "the checkpoint of '", options_.output.string(), "' is of other frames: frame ",
+          last, " is not the one it goes on from");
 }
 
 void RunFiles::after_step(const RunStatistics& statistics) {
@@ -190,6 +206,9 @@ void RunFiles::write_checkpoint(const RunStatistics& statistics) {
   simulation_.save(checkpoint.state);
   statistics.save(checkpoint.state);
   checkpoint.state.write("run/frames", kept_frames_);
+  if (kept_frames_ > 0) {
+    checkpoint.state.write("run/last_frame", static_cast<Index>(writer_->sum_of(kept_frames_ - 1)));
+  }
   history_.save(checkpoint.state);
   save_checkpoint(checkpoint_path(options_.output), checkpoint);
   checkpointed_ = std::chrono::steady_clock::now();

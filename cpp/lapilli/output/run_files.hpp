@@ -50,6 +50,7 @@ class RunFiles {
   void take_over();
   void find_index();
   Checkpoint newest_checkpoint();
+  void require_own_frames(const Archive& state) const;
   void write_frame(bool keep);
   void keep_record(const RunStatistics& statistics);
   void write_checkpoint(const RunStatistics& statistics);

@@ -39,6 +39,19 @@ void verify_frames(FrameReader& reader, Verification& found) {
   }
 }
 
+/// A checkpoint of other frames would go on from them with another state.
+void require_of_frames(const Archive& state, const FrameIndex& index) {
+  if (!state.contains("run/last_frame") || index.sums.empty()) {
+    return;
+  }
+  const Index frames = state.read_index("run/frames");
+  require(frames <= index.frames() &&
+              static_cast<Index>(index.sums[static_cast<std::size_t>(frames - 1)]) ==
+                  state.read_index("run/last_frame"),
+          "the checkpoint is of other frames: frame ", frames - 1,
+          " is not the one it goes on from");
+}
+
 void verify_beside(const std::filesystem::path& path, const FrameIndex& index,
                    Verification& found) {
   for (std::size_t file = 0; file < index.capacities.size(); ++file) {
@@ -49,7 +62,7 @@ void verify_beside(const std::filesystem::path& path, const FrameIndex& index,
   for (const auto& checkpoint : checkpoint_paths(path)) {
     std::error_code ignored;
     if (std::filesystem::exists(checkpoint, ignored)) {
-      is_whole(found.damages, [&] { load_checkpoint(checkpoint); });
+      is_whole(found.damages, [&] { require_of_frames(load_checkpoint(checkpoint).state, index); });
     }
   }
 }
@@ -81,6 +94,7 @@ void add_frames(const std::vector<FrameData>& data, FrameIndex& index) {
       return;
     }
     index.times.push_back(entry->time);
+    index.sums.push_back(entry->sum());
     if (entry->points) {
       index.counts.push_back(*entry->points);
     }

@@ -57,6 +57,9 @@ VtkhdfWriter VtkhdfWriter::resume(const std::filesystem::path& path, Index frame
                                                           : Words());
   }
   writer.last_entry_ = reader.entry(frames - 1);
+  for (Index frame = index.sums.empty() ? 0 : frames; frame < frames; ++frame) {
+    index.sums.push_back(reader.entry(frame).sum());  // an index without them
+  }
   writer.data_ = open_data(path, index, File::Mode::update);
   const FrameIndex before = index;
   index.cut(frames);
@@ -105,6 +108,7 @@ void VtkhdfWriter::write(double time, const Points& points, std::span<const Fiel
   FrameIndex next = index_;
   FrameEntry entry = store_columns(next.frames(), time, points, frame, resting);
   next.times.push_back(time);
+  next.sums.push_back(entry.sum());
   if (next.points_leave) {
     next.counts.push_back(points.size());
   }

@@ -36,6 +36,8 @@ class VtkhdfWriter {
   const std::filesystem::path& path() const { return path_; }
   Index frames() const { return index_.frames(); }
   std::span<const double> times() const { return index_.times; }
+  /// The checksum of the numbers of a frame.
+  std::uint64_t sum_of(Index frame) const { return index_.sums[static_cast<std::size_t>(frame)]; }
 
  private:
   VtkhdfWriter() = default;

@@ -161,6 +161,24 @@ void require_inside_grid(const Scene& scene, const FilledPoints& points) {
           text_of(scene.grid.lower), " to ", text_of(scene.grid.upper), " m");
 }
 
+/// Volumes that are masses, in another unit or of another column.
+void require_room(const Scene& scene, const Body& body, const FilledPoints& points) {
+  if (body.shape) {
+    return;
+  }
+  double sum = 0.0, room = 1.0;
+  for (const double volume : points.volume) {
+    sum += volume;
+  }
+  const Vec3 size = extent(grid_bounds(scene), points.dimension);
+  for (int axis = 0; axis < points.dimension; ++axis) {
+    room *= size[axis];
+  }
+  require(sum <= (1.0 + 1e-9) * room, "its points hold ", sum, " m^", points.dimension,
+          ", more than the grid's ", room, " m^", points.dimension,
+          "; is the last column a volume?");
+}
+
 /// Whether conditions of heat act where points, and not the shapes of bodies, say that the surface
 /// is. On a line both know it.
 bool finds_surface_by_points(const Scene& scene, const Body& body) {
@@ -238,6 +256,7 @@ FilledPoints fill_body(const Scene& scene, std::size_t k) {
       put_in_place(body, filled);
     }
     require_inside_grid(scene, filled);
+    require_room(scene, body, filled);
     return filled;
   });
 }

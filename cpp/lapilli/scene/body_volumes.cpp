@@ -1,6 +1,8 @@
 #include "lapilli/scene/body_volumes.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lapilli/core/points.hpp"
 #include "lapilli/core/require.hpp"
@@ -35,6 +37,45 @@ std::vector<BodyVolume> volumes_of_points(const Scene& scene, const Points& poin
   return all;
 }
 
+// Points whose volumes exceed the box around them by this factor are packed too densely.
+constexpr double most_packed = 1.5;
+
+/// The box around the points of a body, and what they hold.
+struct PointBox {
+  Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 upper = -lower;
+  double volume = 0.0;  // m^dimension
+  Index points = 0;
+
+  /// Around the points' own boxes, taken as equal.
+  double room(int dimension) const {
+    const double spacing = std::pow(volume / static_cast<double>(points), 1.0 / dimension);
+    double product = 1.0;
+    for (int axis = 0; axis < dimension; ++axis) {
+      product *= upper[axis] - lower[axis] + spacing;
+    }
+    return product;
+  }
+};
+
+PointBox box_of(const Points& points, Index body) {
+  PointBox box;
+  const auto dimension = static_cast<std::size_t>(points.dimension());
+  for (std::size_t row = 0; row < static_cast<std::size_t>(points.size()); ++row) {
+    if (points.body()[row] != body) {
+      continue;
+    }
+    ++box.points;
+    box.volume += points.volume()[row];
+    for (std::size_t axis = 0; axis < dimension; ++axis) {
+      const double at = points.position()[row * dimension + axis];
+      box.lower[static_cast<int>(axis)] = std::min(box.lower[static_cast<int>(axis)], at);
+      box.upper[static_cast<int>(axis)] = std::max(box.upper[static_cast<int>(axis)], at);
+    }
+  }
+  return box;
+}
+
 }  // namespace
 
 std::vector<BodyVolume> body_volumes(const Scene& as_written, const Points& points) {
@@ -56,6 +97,25 @@ std::vector<BodyVolume> body_volumes_at_start(const Scene& as_written, const Poi
     if (body.shape) {
       const bool is_sum_of_parts = is_filled_exactly(scene, body) || body.random;
       all[k].of_shape = is_sum_of_parts ? all[k].volume : volume_of_shape(scene, body);
+    }
+  }
+  return all;
+}
+
+std::vector<std::string> packing_warnings(const Scene& scene, const Points& points) {
+  const int dimension = points.dimension();
+  std::vector<std::string> all;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const Body& body = scene.bodies[k];
+    if (body.shape) {
+      continue;
+    }
+    const PointBox box = box_of(points, static_cast<Index>(k));
+    if (box.volume > most_packed * box.room(dimension)) {
+      all.push_back(message("the points of ", body.name.empty() ? message("body ", k) : body.name,
+                            " hold ", box.volume, " m^", dimension, ", the box around them ",
+                            box.room(dimension),
+                            ": their volumes overlap; are they in another unit?"));
     }
   }
   return all;

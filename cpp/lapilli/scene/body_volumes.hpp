@@ -21,4 +21,8 @@ std::vector<BodyVolume> body_volumes_at_start(const Scene& scene, const Points& 
 /// A warning for each body whose points hold over 0.1 % more or less than its shape.
 std::vector<std::string> volume_warnings(const std::vector<BodyVolume>& volumes, int dimension);
 
+/// A warning for each body given by points whose volumes overlap: they hold over 1.5 times the box
+/// around them.
+std::vector<std::string> packing_warnings(const Scene& scene, const Points& points);
+
 }  // namespace lapilli

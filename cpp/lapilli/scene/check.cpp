@@ -52,6 +52,7 @@ void describe_bodies(const Scene& scene, const Simulation& simulation, CheckRepo
     report.bodies.push_back({body.name, 0, 0.0, 0.0, body.of_shape});
   }
   report.notes = volume_warnings(volumes, points.dimension());
+  std::ranges::copy(packing_warnings(scene, points), std::back_inserter(report.notes));
   if (scene.peridynamics) {
     for (const FluidWallBody& wall : scene.peridynamics->walls) {
       report.bodies.push_back({message("wall ", wall.name), 0, 0.0, 0.0, {}});
@@ -274,10 +275,13 @@ double steps_until_end(const Scene& scene, double begin, double size) {
 double steps_of_all_stages(const CheckReport& report) {
   auto steps = static_cast<double>(report.steps);
   for (const CheckReport::StageReport& stage : report.stages) {
-    steps += static_cast<double>(stage.steps * stage.points) / static_cast<double>(report.points);
+    steps += static_cast<double>(stage.steps) * static_cast<double>(stage.points) /
+             static_cast<double>(report.points);
   }
   return steps;
 }
+
+constexpr double most_steps = 9e18;  // that an integer counts
 
 // The first step also assembles what later ones use, and is often shorter, so it is not counted.
 void measure_steps(const Scene& scene, Simulation& simulation, CheckReport& report) {
@@ -301,7 +305,7 @@ void measure_steps(const Scene& scene, Simulation& simulation, CheckReport& repo
   }
   report.step = size;
   const double left = steps_until_end(scene, simulation.time(), size);
-  report.steps = 1 + taken + static_cast<Index>(left);
+  report.steps = 1 + taken + static_cast<Index>(std::min(left, most_steps));
   const double cost =
       taken == 0 ? seconds_of_first : seconds_of_others / static_cast<double>(taken);
   report.seconds_to_run = cost * steps_of_all_stages(report);

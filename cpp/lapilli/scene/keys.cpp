@@ -51,6 +51,7 @@ class KeyTables {
       }
       names.push_back(name);
       names.push_back(kind_word(name));
+      names.push_back(name.substr(0, name.find(' ')));
     }
     require(!text.empty(), text.empty() ? unknown_name("section", section, names) : "");
     return text;

@@ -134,6 +134,7 @@ RunOptions run_options(const Scene& scene, const Points& points) {
   options.volumes = body_volumes_at_start(scene, points);
   std::ranges::copy(volume_warnings(options.volumes, points.dimension()),
                     std::back_inserter(options.notes));
+  std::ranges::copy(packing_warnings(scene, points), std::back_inserter(options.notes));
   return options;
 }
 

@@ -25,6 +25,10 @@ std::string readable_time(double seconds) {
   if (seconds < 99.5) {
     return formatted(seconds < 9.95 ? "%.1f s" : "%.0f s", seconds);
   }
+  constexpr double year = 365.25 * 86400.0;
+  if (seconds > 100.0 * year) {
+    return formatted("%.3g years", seconds / year);
+  }
   const auto minutes = static_cast<long>(std::round(seconds / 60.0));
   return minutes < 100 ? message(minutes, " min")
                        : message(minutes / 60, " h ", minutes % 60, " min");

@@ -29,8 +29,15 @@ def command(
     Exit code 3 when something is damaged.
     """
     del verbose
+    from lapilli.frames import way_back
+    from lapilli.record import damages_of
+
     rebuilt = _core.rebuild_index(os.fspath(frames)) if rebuild else None
-    total, whole, damages = _core.verify(os.fspath(frames))
+    try:
+        total, whole, damages = _core.verify(os.fspath(frames))
+    except (_core.OutputError, ValueError) as error:
+        raise type(error)(f"{error}{way_back(frames)}") from None
+    damages += damages_of(frames.with_suffix(".json"))
     code = DISK_FAILED if damages else FINISHED
     if json:
         print_json({"frames": total, "whole": whole, "damages": damages, "rebuilt": rebuilt})

@@ -55,7 +55,13 @@ def draw_probe(
     curves: list[Curve] = []
     for run in runs:
         series = run.time_series(field, probe=position)
-        for name in (name for name in series.keys() if name != "time"):  # noqa: SIM118
+        names = [name for name in series.keys() if name != "time"]  # noqa: SIM118
+        if not any(np.isfinite(np.asarray(series[name], float)).any() for name in names):
+            raise ValueError(
+                f"there is no material at ({', '.join(f'{x:g}' for x in position)}) m in any frame "
+                f"of {run.path}"
+            )
+        for name in names:
             of_run = f"{run.path.stem}: {name}" if len(runs) > 1 else name
             curves.append((of_run, run.times, np.asarray(series[name])))
     where = ", ".join(f"{x:g}" for x in position)

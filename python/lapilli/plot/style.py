@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+MOST_CONTOURS = 200  # more lie closer than a pixel, and take minutes
+
 
 @dataclass(frozen=True)
 class Style:
@@ -33,8 +35,10 @@ class Style:
     def __post_init__(self) -> None:
         if self.limits is not None and not self.limits[0] < self.limits[1]:
             raise ValueError(f"colours go from a lower to an upper end, got {self.limits}")
-        if self.contours < 0:
-            raise ValueError(f"contours is a number of lines, got {self.contours}")
+        if not 0 <= self.contours <= MOST_CONTOURS:
+            raise ValueError(
+                f"contours is a number of lines up to {MOST_CONTOURS}, got {self.contours}"
+            )
         if self.cut is not None:
             self.plane()
 

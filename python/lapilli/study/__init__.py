@@ -12,7 +12,7 @@
 | shipped, enclosure | the package's own references, set up from the scene |
 | measure | one run of one setting: errors and cost |
 | runner, cluster | where the runs happen: processes of this machine, a Dask scheduler |
-| tradeoff, store | runs all settings, keeps what was measured, resumes |
+| tradeoff, store, keys | runs all settings, keeps what was measured, resumes |
 | table, picture, show | median and spread, the Pareto front, the advice, files |
 | sampling, survey, results, effects, show_survey | many cases of a scene as a table |
 | optimise | cases chosen by what the former ones gave: optimisation, calibration |

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -14,6 +14,7 @@ from lapilli.study.norms import field_errors, scalar_errors
 from lapilli.study.observe import Observation, observe
 from lapilli.study.quantity import unknown_quantity
 from lapilli.study.settings import Setting
+from lapilli.study.store import wants_memory
 from lapilli.study.truth import Truth
 
 Array = npt.NDArray[Any]
@@ -32,6 +33,7 @@ class Measurement:
     reason: str
     cost: Cost | None
     errors: Errors = field(default_factory=dict)
+    passing: bool = False  # no error for want of memory or a file: another time it may work
 
     @property
     def status(self) -> str:
@@ -41,6 +43,11 @@ class Measurement:
     def as_json(self) -> dict[str, Any]:
         """Plain values."""
         return {**asdict(self), "setting": list(self.setting.changes)}
+
+    @property
+    def lasts(self) -> bool:
+        """Whether another run would come to the same."""
+        return not self.passing
 
     @classmethod
     def from_json(cls, row: dict[str, Any]) -> Measurement:
@@ -68,13 +75,18 @@ class Task:
         """Run and measure. Settings that are refused or fail are results, not errors."""
         try:
             return self._measure()
-        except ValueError as error:
-            return self.without_error(f"refused: {error}")
-        except (RunError, MemoryError, OSError) as error:
+        except (ValueError, RunError) as error:
+            kind = "refused" if isinstance(error, ValueError) else "failed"
+            return replace(self.stopped(f"{kind}: {error}"), passing=wants_memory(error))
+        except (MemoryError, OSError) as error:
             return self.without_error(f"failed: {error}")
 
-    def without_error(self, reason: str, cost: Cost | None = None) -> Measurement:
-        """A measurement that says why there is none."""
+    def without_error(self, reason: str) -> Measurement:
+        """A measurement that says why there is none; the next study tries it again."""
+        return replace(self.stopped(reason), passing=True)
+
+    def stopped(self, reason: str, cost: Cost | None = None) -> Measurement:
+        """The same for a reason that stays."""
         return Measurement(self.setting, self.repeat, None, None, reason, cost)
 
     def _measure(self) -> Measurement:
@@ -90,7 +102,7 @@ class Task:
             else:
                 found, reason = self._scalar_errors(seen, name)
             if reason:
-                return self.without_error(reason, seen.cost)
+                return self.stopped(reason, seen.cost)
             errors[name] = found
         first = errors[self.quantities[0][0]]
         return Measurement(

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from lapilli._core import Scene
+from lapilli.study.keys import Keys
 from lapilli.study.observe import observe
 from lapilli.study.quantity import unknown_quantity
 from lapilli.study.results import Results, needs
@@ -16,7 +17,7 @@ from lapilli.study.runner import LocalPool, Runner
 from lapilli.study.sampling import Range, Values
 from lapilli.study.series import Series, series_of_table
 from lapilli.study.settings import Setting, as_toml, require_paths
-from lapilli.study.store import Store, key_of
+from lapilli.study.store import Store
 from lapilli.study.survey import HISTORY_ROWS, Case, Outcome, Report, quantities_of
 
 if TYPE_CHECKING:
@@ -102,9 +103,10 @@ def minimize(
     search = sampler_study(seed)
     known = None if data is None else series_of(data, quantity)
     numbers = None if known is None else [known.times.tolist(), known.values.tolist()]
-    key = key_of(scene.to_json(), goal, numbers, "minimize")
+    keys, notes = Keys(scene, goal, numbers, "minimize"), list[str]()
     pool = runner or LocalPool()
-    kept = Store(store, key, Outcome.from_json, Outcome.as_json)
+    place = keys.place(store, notes)
+    kept = Store(place, keys, Outcome.from_json, Outcome.as_json, lambda row: row.lasts)
     held = {row.setting: row for row in kept.rows}
     order: list[Setting] = []
     while len(order) < samples:
@@ -121,7 +123,7 @@ def minimize(
             tell(search, trial, value)
         order += chosen
     settings = list(dict.fromkeys(order))
-    return Results([held[one] for one in settings], [goal], units)
+    return Results([held[one] for one in settings], [goal], units, notes)
 
 
 def case_maker(

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import pickle
 import re
+import threading
+import time
 import weakref
 from collections import deque
 from collections.abc import Iterator, Sequence
@@ -123,7 +126,9 @@ class Processes:
                 raise ValueError(
                     "worker processes need loky: pip install 'lapilli[study]'"
                 ) from missing
-            self._executor = ProcessPoolExecutor(max_workers=self.count)
+            self._executor = ProcessPoolExecutor(
+                max_workers=self.count, initializer=end_with, initargs=(os.getpid(),)
+            )
             weakref.finalize(self, self._executor.shutdown, wait=False, kill_workers=True)
         return self._executor
 
@@ -143,6 +148,18 @@ def exit_code(error: BaseException) -> str:
     if found is None:
         return "exit code unknown"
     return f"exit code {found[2]}" if found[1] == "EXIT" else found[1]
+
+
+def end_with(parent: int) -> None:
+    """In a worker: end when the study is gone, even if nobody could say so (kill -9)."""
+
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(1.0)
+        os._exit(1)
+
+    if os.getppid() == parent:
+        threading.Thread(target=watch, daemon=True).start()
 
 
 def do(task: Work[Found]) -> Found:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import json
 import os
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,6 +11,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from lapilli.record import read_record
 from lapilli.study.quantity import unknown_quantity
 
 Array = npt.NDArray[np.float64]
@@ -37,7 +37,7 @@ def series_of_run(frames: str | os.PathLike[str], name: str) -> Series:
     path = Path(frames).with_suffix(".json")
     if not path.is_file():
         raise ValueError(f"the reference {frames} has no record beside it: {path} is missing")
-    record: dict[str, Any] = json.loads(path.read_text())
+    record = read_record(path)
     history = record.get("history", {})
     if name not in history or name == "time":
         raise ValueError(f"{path}: {unknown_quantity(name, history)}")

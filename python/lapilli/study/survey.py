@@ -10,13 +10,14 @@ from typing import Any
 
 from lapilli._core import RunError, Scene
 from lapilli.study.fitting import fitted
+from lapilli.study.keys import Keys
 from lapilli.study.observe import names_of, observe
 from lapilli.study.quantity import Quantity, parted
 from lapilli.study.results import Results
 from lapilli.study.runner import LocalPool, Runner
 from lapilli.study.sampling import Values, cases_of
 from lapilli.study.settings import Setting, require_paths
-from lapilli.study.store import Store, key_of
+from lapilli.study.store import Store, wants_memory
 
 HISTORY_ROWS = 200  # of a case, where quantities are reduced over time
 
@@ -32,6 +33,7 @@ class Outcome:
     wall_seconds: float | None = None
     steps: int | None = None
     points: int | None = None
+    passing: bool = False  # without numbers for want of memory or a file: another time it may work
 
     @property
     def status(self) -> str:
@@ -41,6 +43,11 @@ class Outcome:
     def as_json(self) -> dict[str, Any]:
         """Plain values."""
         return {**asdict(self), "setting": list(self.setting.changes)}
+
+    @property
+    def lasts(self) -> bool:
+        """Whether another run would come to the same."""
+        return not self.passing
 
     @classmethod
     def from_json(cls, row: dict[str, Any]) -> Outcome:
@@ -63,14 +70,15 @@ class Case:
         """Run; cases that are refused or fail are results, not errors."""
         try:
             return self._run()
-        except ValueError as error:
-            return self.without_error(f"refused: {error}")
-        except (RunError, MemoryError, OSError) as error:
+        except (ValueError, RunError) as error:
+            kind = "refused" if isinstance(error, ValueError) else "failed"
+            return Outcome(self.setting, reason=f"{kind}: {error}", passing=wants_memory(error))
+        except (MemoryError, OSError) as error:
             return self.without_error(f"failed: {error}")
 
     def without_error(self, reason: str) -> Outcome:
-        """A case without numbers."""
-        return Outcome(self.setting, reason=reason)
+        """A case without numbers, which is tried again by the next study."""
+        return Outcome(self.setting, reason=reason, passing=True)
 
     def _run(self) -> Outcome:
         started = time.perf_counter()
@@ -129,7 +137,9 @@ def study(
     runner
         Where cases run: `LocalPool(workers)` or `DaskCluster(address)`.
     store
-        File of cases done, one JSON line each. What it holds already is not run again.
+        File of cases done, one JSON line each. What it holds already is not run again, unless an
+        input file, an array or the version has changed, or memory or a file was wanting. Scenes
+        with functions keep nothing there: nothing can compare these.
     report
         Called with each case, how many are done, and how many there are.
     """
@@ -138,8 +148,9 @@ def study(
     require_paths(chosen, scene)
     settings, notes = fitted(chosen, scene)
     wanted, fields, units = quantities_of(quantities, scene, settings)
-    key = key_of(scene.to_json(), [str(one) for one in wanted])
-    kept = Store(store, key, Outcome.from_json, Outcome.as_json)
+    keys = Keys(scene, [str(one) for one in wanted])
+    place = keys.place(store, notes)
+    kept = Store(place, keys, Outcome.from_json, Outcome.as_json, lambda row: row.lasts)
     held = {row.setting: row for row in kept.rows}
     left = [Case(scene, one, wanted, fields, threads) for one in settings if one not in held]
     for outcome in (runner or LocalPool()).run(left):

@@ -9,13 +9,14 @@ from typing import Any
 from lapilli import _core
 from lapilli._core import Scene
 from lapilli.study.fitting import fitted, fitting_cell
+from lapilli.study.keys import Keys, contents_of
 from lapilli.study.measure import Measurement, Task
 from lapilli.study.norms import NORMS
 from lapilli.study.observe import names_of
 from lapilli.study.quantity import parted
 from lapilli.study.runner import LocalPool, Runner
 from lapilli.study.settings import Setting, require_paths, settings_of
-from lapilli.study.store import Store, key_of
+from lapilli.study.store import Store
 from lapilli.study.table import Table
 from lapilli.study.truth import Given, named, truth_of
 
@@ -67,7 +68,8 @@ def tradeoff(
     threads
         Threads of each run.
     store
-        File of measurements, one JSON line each. What it holds already is not run again.
+        File of measurements, one JSON line each. What it holds already is not run again, as in
+        `study`; it must be of the same reference, byte by byte.
     report
         Called with each measurement, how many are done, and how many there are.
     target_error
@@ -83,8 +85,10 @@ def tradeoff(
     if norm not in NORMS:
         raise ValueError(_core.unknown_name("norm", norm, list(NORMS)))
     names = tuple(quantities or (field,))
-    key = key_of(scene.to_json(), named(reference), moments, names, threads, norm)
-    kept = Store(store, key, Measurement.from_json, Measurement.as_json)
+    told = named(reference), contents_of(reference)
+    keys = Keys(scene, told, moments, names, threads, norm)
+    place = keys.place(store, notes, reference)
+    kept = Store(place, keys, Measurement.from_json, Measurement.as_json, lambda row: row.lasts)
     wanted = [(setting, repeat) for repeat in range(repeats) for setting in settings]
     done = [m for m in kept.rows if (m.setting, m.repeat) in set(wanted)]
     known = {(m.setting, m.repeat) for m in done}

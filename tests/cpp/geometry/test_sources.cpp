@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstring>
 
@@ -56,6 +57,89 @@ TEST_CASE("no row is lost to a byte-order mark or quotes") {
     REQUIRE(points.position == std::vector<double>{0.5, 1, 4, 5});
     REQUIRE(points.volume == std::vector<double>{0.25, 0.75});
   }
+}
+
+TEST_CASE("columns of points are found by their names, in any order") {
+  const std::vector<std::string> units[] = {
+      {"", "", ""}, {" [m]", "(m)", " [m^2]"}, {"_m", " (m)", "_m2"}};
+  for (const auto& unit : units) {
+    std::vector<std::pair<std::string, std::string>> columns = {
+        {"x" + unit[0], "0.5"}, {"Y" + unit[1], "1"}, {"volume" + unit[2], "0.25"}};
+    std::ranges::sort(columns);
+    do {
+      for (const std::string start : {"", "# "}) {
+        std::string names = start, row;
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+          names += (k == 0 ? "" : ",") + columns[k].first;
+          row += (k == 0 ? "" : ",") + columns[k].second;
+        }
+        const ScratchFile file(names + "\n" + row + "\n", ".csv");
+        INFO(names);
+        const auto points = read_points(file.path(), 2);
+        CHECK(points.position == std::vector<double>{0.5, 1});
+        CHECK(points.volume == std::vector<double>{0.25});
+      }
+    } while (std::ranges::next_permutation(columns).found);
+  }
+  const ScratchFile two("y x\n1 0.5\n");
+  CHECK(read_points(two.path(), 2, 1.0).position == std::vector<double>{0.5, 1});
+  const ScratchFile other("east,north,size\n0.5,1,0.25\n");
+  CHECK(read_points(other.path(), 2).position == std::vector<double>{0.5, 1});
+  const ScratchFile remark("# the x of all\n0.5,1,0.25\n");
+  CHECK(read_points(remark.path(), 2).position == std::vector<double>{0.5, 1});
+}
+
+TEST_CASE("columns of points that cannot be told are refused by name") {
+  const auto refused = [](const std::string& bytes, const std::string& text) {
+    const ScratchFile file(bytes, ".csv");
+    INFO(bytes);
+    CHECK_THROWS_WITH(read_points(file.path(), 2, 1.0), Contains(text) && Contains(file.path()));
+  };
+  refused(
+      "id,x,y\n0.1,1,2\n",
+      "line 1, column 1: 'id' is no column of points in 2 dimensions; allowed are x, y, volume");
+  refused("x,y,mass\n1,2,3\n", "line 1, column 3: 'mass' is no column");
+  refused("x,y,z\n1,2,3\n", "line 1, column 3: 'z' is no column");
+  refused("x,y,volume,T\n1,2,3,4\n", "line 1, column 4: 'T' is no column");
+  refused("x,x,volume\n1,2,3\n", "line 1, column 2: 'x' comes twice");
+  refused("x,volume\n1,2\n", "line 1: no column is named y");
+  refused("x [mm],y [mm],volume\n1,2,3\n",
+          "line 1, column 1: 'x [mm]' is in mm; points are given in m");
+  refused("x,y,volume [mm^2]\n1,2,3\n", "line 1, column 3: 'volume [mm^2]' is in mm^2");
+  refused("x_mm y_mm\n1 2\n", "line 1, column 1: 'x_mm' is in mm");
+  refused("x\ty\tvolume\n1\t\t3\n", "line 2: got 2 numbers, the names above are 3");
+}
+
+TEST_CASE("an empty cell is refused where it stands") {
+  for (const char separator : {',', ';'}) {
+    for (std::size_t gap = 0; gap < 3; ++gap) {
+      std::string row;
+      for (std::size_t column = 0; column < 3; ++column) {
+        row +=
+            (column == 0 ? std::string() : std::string(1, separator)) + (column == gap ? " " : "1");
+      }
+      const ScratchFile file("1 2 3\n" + row + "\n", ".csv");
+      const std::string text = "line 2, column " + std::to_string(gap + 1) + ": the cell is empty";
+      CHECK_THROWS_WITH(read_points(file.path(), 2), Contains(text));
+      CHECK_THROWS_WITH(read_points(file.path(), 3, 1.0), Contains(text));
+      CHECK_THROWS_WITH(read_two_columns(file.path()), Contains("two columns") || Contains(text));
+    }
+  }
+  const ScratchFile table("0,1\n2,\n");
+  CHECK_THROWS_WITH(read_two_columns(table.path()),
+                    Contains("line 2, column 2: the cell is empty"));
+  const ScratchFile after("0.5,1,0.25\n,,\n");
+  CHECK(read_points(after.path(), 2).size() == 1);  // what spreadsheets leave below a table
+}
+
+TEST_CASE("a table whose names put the time second, or not in seconds, is refused") {
+  const ScratchFile swapped("value,time\n1,0\n2,1\n");
+  CHECK_THROWS_WITH(read_two_columns(swapped.path()),
+                    Contains("line 1, column 2: times belong into the first column"));
+  const ScratchFile hours("time [h],value\n1,0\n2,1\n");
+  CHECK_THROWS_WITH(read_two_columns(hours.path()), Contains("times are in s, not in h"));
+  const ScratchFile seconds("time [s],value [K]\n1,0\n2,1\n");
+  CHECK(read_two_columns(seconds.path()).first == std::vector<double>{1, 2});
 }
 
 TEST_CASE("two columns are read, and refused where a row has not two") {

@@ -68,6 +68,55 @@ void flip(std::string& bytes, std::size_t bit) {
 
 }  // namespace
 
+TEST_CASE("the data file of another run beside an index is found") {
+  const ScratchFolder folder;
+  const auto ours = folder / "ours.vtkhdf", other = folder / "other.vtkhdf";
+  write_series(ours, 4);
+  {
+    MadeFrames made(points);
+    VtkhdfWriter writer(other, 4);
+    for (Index frame = 0; frame < frames; ++frame) {
+      made.go_to(frame + 1);  // the same times and slots, other numbers
+      writer.write(0.5 * static_cast<double>(frame), made.points, made.fields());
+    }
+  }
+  std::filesystem::copy_file(data_path(other, 0), data_path(ours, 0),
+                             std::filesystem::copy_options::overwrite_existing);
+  for (Index frame = 0; frame < frames; ++frame) {
+    REQUIRE_THROWS_WITH(FrameReader(ours).read(0, frame),
+                        Catch::Contains("does not belong to") && Catch::Contains("ours.vtkhdf'"));
+  }
+  CHECK(verify(ours).whole_frames == 0);
+  CHECK(!verify(ours).damages.empty());
+  CHECK_THROWS_WITH(VtkhdfWriter::resume(ours, 2), Catch::Contains("does not belong to"));
+  rebuild_index(ours);  // then the frames are those of the other run
+  CHECK(verify(ours).damages.empty());
+  CHECK(read_all(ours) == read_all(other));
+}
+
+TEST_CASE("a resumed series has the index of one that never stopped") {
+  const ScratchFolder folder;
+  const auto path = folder / "run.vtkhdf";
+  write_series(path, 4);
+  const std::string whole = bytes_of(path);
+  MadeFrames made(points);
+  {
+    VtkhdfWriter writer = VtkhdfWriter::resume(path, 2, 4);
+    for (Index frame = 2; frame < frames; ++frame) {
+      made.go_to(frame);
+      writer.write(0.5 * static_cast<double>(frame), made.points, made.fields());
+    }
+  }
+  CHECK(bytes_of(path) == whole);
+  // An index without checksums is read, and has them again after a resume.
+  FrameIndex index = read_index(path);
+  index.sums.clear();
+  write_index(path, index);
+  CHECK(verify(path).damages.empty());
+  VtkhdfWriter::resume(path, frames, 4);
+  CHECK(bytes_of(path) == whole);
+}
+
 TEST_CASE("no flipped bit of any file gives a wrong number, and verify finds those that matter") {
   const ScratchFolder folder;
   const auto path = folder / "run.vtkhdf";

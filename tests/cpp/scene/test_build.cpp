@@ -103,6 +103,35 @@ TEST_CASE("files of a scene are looked for beside it") {
   CHECK_THAT(to_toml(lost), Contains("points_file = \"none.csv\""));
 }
 
+TEST_CASE("volumes of points that cannot be are refused, those that overlap are named") {
+  // The grid holds 121 m^2; four points of the box 2 m x 2 m.
+  const auto with_volume = [](double volume) {
+    Scene scene = parse_scene(ring_scene, "ring.toml");
+    scene.bodies[0].shape.reset();
+    scene.bodies[0].points.emplace();
+    scene.bodies[0].points->positions = {0.5, 0.5, 1.5, 0.5, 0.5, 1.5, 1.5, 1.5};
+    scene.bodies[0].points->volumes.assign(4, volume);
+    return scene;
+  };
+  const auto says_overlap = [&](double volume) {
+    const Scene scene = with_volume(volume);
+    const auto simulation = build(scene);
+    const auto notes = run_options(scene, simulation->points()).notes;
+    const bool run_says = std::ranges::any_of(
+        notes, [](const std::string& note) { return note.find("overlap") != note.npos; });
+    const auto of_check = check(scene).notes;
+    const bool check_says = std::ranges::any_of(
+        of_check, [](const std::string& note) { return note.find("overlap") != note.npos; });
+    CHECK(check_says == run_says);
+    return run_says;
+  };
+  CHECK_FALSE(says_overlap(0.2));
+  CHECK_FALSE(says_overlap(1.0));
+  CHECK(says_overlap(3.0));
+  CHECK_THROWS_WITH(build(with_volume(1e3)),
+                    Contains("its points hold 4000 m^2, more than the grid's"));
+}
+
 TEST_CASE("an image of a scene file is found from any folder") {
   const testing::ScratchFolder folder;
   testing::put_bytes(folder / "square.pgm", "P2 2 2 1\n1 0\n1 1\n");

@@ -92,3 +92,10 @@ def test_it_asks_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = lp.Scene.load("my.toml")
     assert scene.dynamics is not None
     assert scene.grid.cell == 0.1
+
+
+@pytest.mark.parametrize("name", ['a"b.toml', "a\\b.toml", "a\nb.toml", "ü $size.toml"])
+def test_names_of_files_are_spelt_as_toml(name: str, tmp_path: Path) -> None:
+    scene = tmp_path / name
+    assert main(["new", "heat", "--output", str(scene), "-q"]) == 0
+    assert lp.Scene.load(scene).output.path == scene.stem + ".vtkhdf"

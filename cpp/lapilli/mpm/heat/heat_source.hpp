@@ -20,12 +20,23 @@ class HeatSource {
   /// Node volumes sum V S of every body at the points' present places.
   void assign(const Points& points, const HeatProblem<Dim>& problem,
               const std::vector<double>& half_width);
+  /// Call nodes by other numbers. Those without one, below zero, have no capacity that heat could
+  /// go into, and are left out.
   template <class Number>
   void renumber(const Number& number) {
-    for (auto& body : nodes_) {
-      for (Index& node : body.node) {
-        node = number(node);
+    for (Nodes& body : nodes_) {
+      std::size_t kept = 0;
+      for (std::size_t k = 0; k < body.node.size(); ++k) {
+        if (const Index place = number(body.node[k]); place >= 0) {
+          body.node[kept] = place;
+          body.volume[kept] = body.volume[k];
+          body.position[kept] = body.position[k];
+          ++kept;
+        }
       }
+      body.node.resize(kept);
+      body.volume.resize(kept);
+      body.position.resize(kept);
     }
   }
 
