@@ -44,6 +44,7 @@ Dynamics<Dim>::Dynamics(Points& points, const DynamicsProblem<Dim>& problem)
     described_contacts_ = described(groups);
     contacts_ = make_contacts(data_, problem.bodies, std::move(groups));
   }
+  wall_friction_ = make_wall_friction(data_);
   if (!problem.settings.boundaries.empty()) {
     loads_ = std::make_unique<SurfaceLoads<Dim>>(data_, problem);
   }
@@ -156,7 +157,7 @@ NodeSums Dynamics<Dim>::solve_nodes(const Step& step) {
   if (obstacles_) {
     obstacles_->push(data_, step, speed_, sums);
   }
-  hold_nodes(data_, step.size, sums);
+  hold_nodes(data_, step.size, wall_friction_.get(), sums);
   if (const double damping = local_damping(step.time); damping > 0.0) {
     damp_nodes(data_, damping, sums);
   }

@@ -109,9 +109,10 @@ class Dynamics final : public Physics,
   Vec3 linear_momentum() const;
 
   DynamicsData<Dim> data_;
-  std::unique_ptr<SurfaceLoads<Dim>> loads_;     // null without boundaries
-  std::unique_ptr<Obstacles<Dim>> obstacles_;    // null without any
-  std::unique_ptr<BodyContacts<Dim>> contacts_;  // null where all bodies are one
+  std::unique_ptr<SurfaceLoads<Dim>> loads_;          // null without boundaries
+  std::unique_ptr<Obstacles<Dim>> obstacles_;         // null without any
+  std::unique_ptr<BodyContacts<Dim>> contacts_;       // null where all bodies are one
+  std::unique_ptr<WallFriction<Dim>> wall_friction_;  // null where no wall has any
   std::vector<std::string> described_contacts_;
   std::vector<std::string> start_notes_;  // of bodies that start anew
   std::vector<double> spacing_;           // m, of the points of each body

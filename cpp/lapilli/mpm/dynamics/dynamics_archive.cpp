@@ -43,6 +43,9 @@ void Dynamics<Dim>::save(Archive& archive) const {
     data_.fields.save(archive, "dynamics/fields");
     contacts_->save(archive, "dynamics/contacts");
   }
+  if (wall_friction_) {
+    wall_friction_->save(archive, "dynamics/walls");
+  }
   const double numbers[] = {
       flows_.plastic,      flows_.friction, flows_.strain,    flows_.impact,
       flows_.transfer,     initial_energy_, kinetic_,         speed_,
@@ -112,6 +115,9 @@ void Dynamics<Dim>::load(const Archive& archive) {
   if (contacts_) {
     data_.fields.load(archive, "dynamics/fields");
     contacts_->load(archive, "dynamics/contacts");
+  }
+  if (wall_friction_) {
+    wall_friction_->load(archive, "dynamics/walls");
   }
   double numbers[17];
   archive.read("dynamics/account", std::span<double>(numbers));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "lapilli/core/vector.hpp"
@@ -36,20 +37,19 @@ inline Walls walls_of(const DynamicsSettings& settings) {
 
 /// Velocity at a wall. `inward` is the sign of the inward normal along `normal`. No-slip stops it,
 /// a roller stops it across, a frictional wall stops what moves into it and slows the rest by at
-/// most friction times the velocity it stopped (Coulomb, for impulses).
+/// most `slows`, m/s: what friction bears, over the mass.
 template <int Dim>
-Vec<Dim> held_by(const Wall& wall, int normal, double inward, const Vec<Dim>& velocity) {
-  if (wall.kind == Wall::Kind::no_slip) {
+Vec<Dim> held_by(Wall::Kind kind, int normal, double inward, const Vec<Dim>& velocity,
+                 double slows = 0.0) {
+  if (kind == Wall::Kind::no_slip) {
     return Vec<Dim>::Zero();
   }
   Vec<Dim> held = velocity;
-  const double into = -inward * velocity[normal];
-  if (wall.kind == Wall::Kind::roller) {
-    held[normal] = 0.0;
-  } else if (wall.kind == Wall::Kind::frictional && into > 0.0) {
-    held[normal] = 0.0;
+  held[normal] = 0.0;
+  if (kind == Wall::Kind::frictional) {
     const double slip = held.norm();
-    held *= slip > wall.friction * into ? 1.0 - wall.friction * into / slip : 0.0;
+    held *= slip > slows ? 1.0 - slows / slip : 0.0;
+    held[normal] = std::max(0.0, inward * velocity[normal]) * inward;
   }
   return held;
 }

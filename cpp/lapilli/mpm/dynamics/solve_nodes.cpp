@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/mpm/dynamics/grid_boundaries.hpp"
@@ -14,35 +15,41 @@ namespace {
 /// moves them, or the force would work without the stress that restores it.
 constexpr double light_share = 0.1;
 
-/// Call body(node, axis, wall, inward) for every node on or outside of a wall that carries mass,
-/// wall by wall in a fixed order.
+/// A node on a wall (layer 0) or outside of it (layer 1) that carries mass.
+struct WallNode {
+  Index node;
+  int field, face, layer;
+  int normal;     // axis
+  double inward;  // sign of the inward normal along it
+};
+
+/// Call body(wall node) wall by wall in a fixed order.
 template <int Dim, class Body>
-void for_each_wall_node(const DynamicsData<Dim>& data, const NodeField<Dim>& field,
-                        const Body& body) {
+void for_each_wall_node(const DynamicsData<Dim>& data, int number, const Body& body) {
+  const NodeField<Dim>& field = data.fields[number];
   const Grid<Dim>& grid = field.grid;
   const double* mass = data.nodes.mass();
-  for (int axis = 0; axis < Dim; ++axis) {
-    for (int side = 0; side < 2; ++side) {
-      const Wall& wall = data.walls[2 * axis + side];
-      if (wall.is_open()) {
+  for (int face = 0; face < 2 * Dim; ++face) {
+    if (data.walls[face].is_open()) {
+      continue;
+    }
+    const int axis = face / 2, outward = face % 2 == 0 ? -1 : 1;
+    const int padding = Grid<Dim>::padding;
+    const int on_wall =
+        (outward < 0 ? padding : data.grid.nodes(axis) - 1 - padding) - field.corner[axis];
+    for (int layer = 0; layer < 2; ++layer) {
+      const int at = on_wall + layer * outward;
+      if (at < 0 || at >= grid.nodes(axis)) {
         continue;
       }
-      const int padding = Grid<Dim>::padding;
-      const int face =
-          (side == 0 ? padding : data.grid.nodes(axis) - 1 - padding) - field.corner[axis];
-      for (int layer : {face, side == 0 ? face - 1 : face + 1}) {
-        if (layer < 0 || layer >= grid.nodes(axis)) {
-          continue;
-        }
-        const Index stride = grid.node_stride(axis);
-        const Index block = stride * grid.nodes(axis);
-        for (Index start = field.offset + layer * stride; start < field.end(); start += block) {
-          const Index from = std::max(start, data.nodes.first());
-          const Index to = std::min(start + stride, data.nodes.last());
-          for (Index node = from; node < to; ++node) {
-            if (mass[node] > data.empty_node) {
-              body(node, axis, wall, side == 0 ? 1.0 : -1.0);
-            }
+      const Index stride = grid.node_stride(axis);
+      const Index block = stride * grid.nodes(axis);
+      for (Index start = field.offset + at * stride; start < field.end(); start += block) {
+        const Index from = std::max(start, data.nodes.first());
+        const Index to = std::min(start + stride, data.nodes.last());
+        for (Index node = from; node < to; ++node) {
+          if (mass[node] > data.empty_node) {
+            body(WallNode{node, number, face, layer, axis, -1.0 * outward});
           }
         }
       }
@@ -53,7 +60,7 @@ void for_each_wall_node(const DynamicsData<Dim>& data, const NodeField<Dim>& fie
 template <int Dim, class Body>
 void for_each_wall_node(const DynamicsData<Dim>& data, const Body& body) {
   for (int field = 0; field < data.fields.count(); ++field) {
-    for_each_wall_node(data, data.fields[field], body);
+    for_each_wall_node(data, field, body);
   }
 }
 
@@ -124,17 +131,28 @@ NodeSums accelerate_nodes(DynamicsData<Dim>& data, double step) {
 }
 
 template <int Dim>
-void hold_nodes(DynamicsData<Dim>& data, double step, NodeSums& total) {
+void hold_nodes(DynamicsData<Dim>& data, double step, WallFriction<Dim>* friction,
+                NodeSums& total) {
   const double* mass = data.nodes.mass();
-  for_each_wall_node(data, [&](Index node, int normal, const Wall& wall, double inward) {
+  if (friction != nullptr) {
+    friction->begin_step(step);
+  }
+  for_each_wall_node(data, [&](const WallNode& place) {
+    const auto [node, normal, inward] = std::tuple(place.node, place.normal, place.inward);
+    const Wall::Kind kind = data.walls[place.face].kind;
     Vec<Dim> velocity, change, strain;
     for (int axis = 0; axis < Dim; ++axis) {
       strain[axis] = data.nodes.strain_velocity(axis)[node];
       velocity[axis] = data.nodes.velocity(axis)[node];
       change[axis] = data.nodes.increment(axis)[node];
     }
-    const Vec<Dim> held = held_by<Dim>(wall, normal, inward, velocity);
-    const Vec<Dim> held_strain = held_by<Dim>(wall, normal, inward, strain);
+    double slows = 0.0;
+    if (kind == Wall::Kind::frictional) {
+      const double push = mass[node] * std::max(0.0, -inward * velocity[normal]);
+      slows = friction->bear(data, place.field, place.face, place.layer, node, push) / mass[node];
+    }
+    const Vec<Dim> held = held_by<Dim>(kind, normal, inward, velocity, slows);
+    const Vec<Dim> held_strain = held_by<Dim>(kind, normal, inward, strain, slows);
     const Vec<Dim> impulse = mass[node] * (held - velocity);
     // The wall's work over the step: its impulse times the mean of the velocity before and after.
     const Vec<Dim> middle = 0.5 * (held + velocity - change);
@@ -205,22 +223,24 @@ void divide_second_velocity(DynamicsData<Dim>& data) {
 
 template <int Dim>
 void hold_second_velocity(DynamicsData<Dim>& data) {
-  for_each_wall_node(data, [&](Index node, int normal, const Wall& wall, double inward) {
+  for_each_wall_node(data, [&](const WallNode& place) {
     Vec<Dim> velocity;
     for (int axis = 0; axis < Dim; ++axis) {
-      velocity[axis] = data.nodes.second_velocity(axis)[node];
+      velocity[axis] = data.nodes.second_velocity(axis)[place.node];
     }
-    const Vec<Dim> held = held_by<Dim>(wall, normal, inward, velocity);
+    // Along the wall it keeps what it has, as at obstacles.
+    const Wall::Kind kind = data.walls[place.face].kind;
+    const Vec<Dim> held = held_by<Dim>(kind, place.normal, place.inward, velocity);
     for (int axis = 0; axis < Dim; ++axis) {
-      data.nodes.second_velocity(axis)[node] = held[axis];
+      data.nodes.second_velocity(axis)[place.node] = held[axis];
     }
   });
 }
 
 template NodeSums accelerate_nodes<2>(DynamicsData<2>&, double);
 template NodeSums accelerate_nodes<3>(DynamicsData<3>&, double);
-template void hold_nodes<2>(DynamicsData<2>&, double, NodeSums&);
-template void hold_nodes<3>(DynamicsData<3>&, double, NodeSums&);
+template void hold_nodes<2>(DynamicsData<2>&, double, WallFriction<2>*, NodeSums&);
+template void hold_nodes<3>(DynamicsData<3>&, double, WallFriction<3>*, NodeSums&);
 template void blend_nodes<2>(DynamicsData<2>&, double);
 template void blend_nodes<3>(DynamicsData<3>&, double);
 template void divide_second_velocity<2>(DynamicsData<2>&);

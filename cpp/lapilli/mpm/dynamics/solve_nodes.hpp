@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
+#include "lapilli/mpm/dynamics/wall_friction.hpp"
 
 namespace lapilli {
 
@@ -23,9 +24,9 @@ struct NodeSums {
 template <int Dim>
 NodeSums accelerate_nodes(DynamicsData<Dim>& data, double step);
 
-/// Hold the nodes at walls, and book what the walls did.
+/// Hold the nodes at walls, and book what the walls did. `friction`: null where no wall has any.
 template <int Dim>
-void hold_nodes(DynamicsData<Dim>& data, double step, NodeSums& sums);
+void hold_nodes(DynamicsData<Dim>& data, double step, WallFriction<Dim>* friction, NodeSums& sums);
 
 /// What the solved nodes hand to points under the blend, once nothing changes their velocity any
 /// more: `fade` becomes a share, `gain` follows.

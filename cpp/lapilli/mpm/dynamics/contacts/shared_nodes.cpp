@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lapilli/mpm/dynamics/contacts/node_neighbours.hpp"
 #include "lapilli/mpm/dynamics/point_kernel.hpp"
@@ -272,6 +273,12 @@ void SharedNodes<Dim>::measure(const DynamicsData<Dim>& data, std::pair<int, int
       nodes[k].touches = nodes[k].gap <= touching_gap * h;
       weighed[k][0] -= weighed[k][1] * mean;
     });
+  }
+  // Beyond a cell nothing meets in this step; the light node in the middle would still push.
+  for (SharedNode<Dim>& node : nodes) {
+    if (node.gap > h) {
+      node.gap = std::numeric_limits<double>::infinity();
+    }
   }
 }
 

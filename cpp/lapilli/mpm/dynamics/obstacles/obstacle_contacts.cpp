@@ -6,19 +6,13 @@
 
 #include "lapilli/core/in_space.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/dynamics/friction_lag.hpp"
 #include "lapilli/mpm/dynamics/obstacles/light_nodes.hpp"
 #include "lapilli/mpm/dynamics/touching_gap.hpp"
 #include "lapilli/mpm/transfer/point_start.hpp"
 
 namespace lapilli {
 namespace {
-
-/// Friction feels a change of the force across it as late as a wave crosses so many cells (Prakash
-/// & Clifton 1993; Cochard & Rice 2000, J. Geophys. Res. 105:25891): with Coulomb's law at once,
-/// sliding of an elastic body is ill-posed, and a block chatters on its grid. Measured, friction
-/// .6: trembling at 1.1, .16, .10, .09 m/s and acceleration wrong by .030, .005, .002, .002 g with
-/// 0, 2, 4, 8 cells; more would leave an oblique impact short of its friction.
-constexpr double lag_cells = 4.0;
 
 /// Farthest a surface can be from a centre: the corners of its box, or of the grid where it ends
 /// nowhere.
@@ -54,8 +48,7 @@ ObstacleContacts<Dim>::ObstacleContacts(const DynamicsData<Dim>& data, const Obs
                     : obstacle.friction),
       memory_(data.points, kept) {
   for (const StressMaterial& material : data.materials) {
-    const double wave = std::sqrt(material.wave_modulus / material.density);
-    lags_.push_back(lag_cells * data.grid.cell_size() / wave);
+    lags_.push_back(friction_lag(material, data.grid.cell_size()));
   }
   if (before != nullptr && earlier >= 0) {
     motion_.go_on(*before->state, message("dynamics/obstacles/", earlier));
