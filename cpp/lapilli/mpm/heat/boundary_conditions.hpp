@@ -8,8 +8,8 @@
 #include "lapilli/core/balance.hpp"
 #include "lapilli/mpm/heat/condition_account.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
+#include "lapilli/mpm/surface/area_ratios.hpp"
 #include "lapilli/mpm/surface/nodal_surface.hpp"
-#include "lapilli/mpm/surface/shape_areas.hpp"
 #include "lapilli/mpm/surface/surface_regions.hpp"
 #include "lapilli/mpm/surface/surface_view.hpp"
 
@@ -55,8 +55,10 @@ class BoundaryConditions {
   /// are regions.
   void assign(const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
               const std::function<std::vector<SurfacePlace<Dim>>()>& places);
-  /// Scale the areas that are assigned from here on so that those of the next assignment become
-  /// what shapes have, by law.
+  /// The area that each law would have of these, m^(dim-1), scaled by nothing.
+  std::vector<double> areas_of(const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
+                               const std::function<std::vector<SurfacePlace<Dim>>()>& places) const;
+  /// Scale the areas that are assigned from here on.
   void compare_areas(AreaRatios ratios) { ratios_ = std::move(ratios); }
   const AreaRatios& area_ratios() const { return ratios_; }
   /// Place the probes of held temperatures, one cell below the surface, among the nodes that are
@@ -100,6 +102,7 @@ class BoundaryConditions {
   void load(const Archive& archive, const std::string& name);
 
  private:
+  const std::vector<double>& used_by(std::size_t law, const NodalAreas<Dim>& areas) const;
   void evaluate_between(std::span<const double> temperature, double begin, double end);
   void read_states(std::size_t law, std::span<const double> temperature);
   void evaluate_flux(const Flux& law, Nodes& nodes);
