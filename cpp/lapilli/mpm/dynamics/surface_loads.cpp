@@ -1,6 +1,7 @@
 #include "lapilli/mpm/dynamics/surface_loads.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/cell_sums.hpp"
@@ -80,12 +81,11 @@ SurfaceLoads<Dim>::SurfaceLoads(const DynamicsData<Dim>& data, const DynamicsPro
     }
   }
   outside_.start(data.points, problem.distance);
-  keeps_ratios_ = problem.start != nullptr;
-  if (keeps_ratios_) {
+  if (problem.start != nullptr) {
     go_on(*problem.start);
   }
-  find_surface(data);
   compare_with_shapes(data, problem);
+  find_surface(data);
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     start_area_.push_back(area_of(law));
   }
@@ -101,26 +101,43 @@ SurfaceLoads<Dim>::SurfaceLoads(const DynamicsData<Dim>& data, const DynamicsPro
 template <int Dim>
 void SurfaceLoads<Dim>::go_on(const PointStart& start) {
   const std::string name = "dynamics/loads/area_ratios";
-  if (start.state == nullptr || start.load.empty() || !start.state->contains(name)) {
-    return;
+  if (start.state != nullptr && !start.load.empty() && start.state->contains(name + "/bodies")) {
+    ratios_ = AreaRatios::of_before(*start.state, name, start.body, start.load);
   }
-  const std::vector<double> before = start.state->read_numbers(name);
-  std::vector<double> ratios(laws_.size(), 1.0);
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    if (start.load[law] >= 0) {
-      ratios[law] = before.at(static_cast<std::size_t>(start.load[law]));
-    }
+}
+
+template <int Dim>
+AreaRatios::Found SurfaceLoads<Dim>::areas_without_others(
+    const DynamicsData<Dim>& data, const DistanceFunction& distance,
+    const std::vector<std::size_t>& bodies) const {
+  const std::unique_ptr<Points> some = points_of(data.points, bodies);
+  OutsideCells<Dim> cells(data.grid, static_cast<int>(data.half_widths.size()));
+  cells.start(*some, distance);
+  const NodalAreas<Dim> areas =
+      free_areas(data.grid, nodal_sums<Dim>(*some, data.grid, data.shape, data.half_widths), cells);
+  const auto parts = divide_surface<Dim>(
+      data.grid, areas,
+      [&] { return surface_places<Dim>(data.grid, *some, data.shape, data.half_widths, areas); },
+      regions_of(laws_));
+  AreaRatios::Found found{std::accumulate(areas.area.begin(), areas.area.end(), 0.0), {}};
+  for (const auto& of_law : parts) {
+    found.by_condition.push_back(std::accumulate(of_law.begin(), of_law.end(), 0.0,
+                                                 [&](double sum, const SurfacePart<Dim>& part) {
+                                                   return sum + part.share * areas.area[part.row];
+                                                 }));
   }
-  ratios_.restore(std::move(ratios));
+  return found;
 }
 
 template <int Dim>
 void SurfaceLoads<Dim>::compare_with_shapes(const DynamicsData<Dim>& data,
                                             const DynamicsProblem<Dim>& problem) {
   if (!problem.shapes.empty()) {
-    ratios_ = AreaRatios(areas_of_shapes<Dim>(data.grid, data.shape, problem.shapes,
-                                              regions_of(laws_), contact_faces(data.walls)));
-    ratios_.match(nodes_);
+    const ShapeAreas wanted = areas_of_shapes<Dim>(data.grid, data.shape, problem.shapes,
+                                                   regions_of(laws_), contact_faces(data.walls));
+    ratios_ = AreaRatios(wanted, [&](const std::vector<std::size_t>& bodies) {
+      return areas_without_others(data, problem.distance, bodies);
+    });
   }
 }
 
@@ -181,14 +198,15 @@ void SurfaceLoads<Dim>::for_each_share(const DynamicsData<Dim>& data, const Node
 }
 
 template <int Dim>
-NodalAreas<Dim> SurfaceLoads<Dim>::free_areas(const Grid<Dim>& grid) const {
+NodalAreas<Dim> SurfaceLoads<Dim>::free_areas(const Grid<Dim>& grid, const NodalSums<Dim>& sums,
+                                              const OutsideCells<Dim>& cells) const {
   if (!contact_.any()) {
-    return nodal_normal_areas(grid, sums_, surface_nodes(grid, outside_.flags(), sums_.fraction),
+    return nodal_normal_areas(grid, sums, surface_nodes(grid, cells.flags(), sums.fraction),
                               smoothing, true);
   }
-  const NodalSums<Dim> free = contact_.without_contact(sums_);
-  const std::vector<unsigned char> outside = contact_.without_walls(outside_.flags());
-  return nodal_normal_areas(grid, free, surface_nodes(grid, std::span(outside), sums_.fraction),
+  const NodalSums<Dim> free = contact_.without_contact(sums);
+  const std::vector<unsigned char> outside = contact_.without_walls(cells.flags());
+  return nodal_normal_areas(grid, free, surface_nodes(grid, std::span(outside), sums.fraction),
                             smoothing, true);
 }
 
@@ -199,7 +217,8 @@ void SurfaceLoads<Dim>::find_surface(const DynamicsData<Dim>& data) {
     outside_.follow(data.points);
     version_ = data.points.version();
   }
-  const NodalAreas<Dim> areas = free_areas(data.grid);
+  NodalAreas<Dim> areas = free_areas(data.grid, sums_, outside_);
+  ratios_.scale(areas, outside_);
   const auto parts = divide_surface<Dim>(
       data.grid, areas,
       [&] {
@@ -213,9 +232,14 @@ void SurfaceLoads<Dim>::find_surface(const DynamicsData<Dim>& data) {
     for (const SurfacePart<Dim>& part : parts[law]) {
       nodes.node.push_back(areas.node[part.row]);
       nodes.area_vector.push_back(part.vector);
-      nodes.area.push_back(ratios_.of(law) * part.share * areas.area[part.row]);
+      nodes.area.push_back(part.share * areas.area[part.row]);
       nodes.normal.push_back(areas.normal[part.row]);
       nodes.position.push_back(areas.position[part.row]);
+    }
+    const double ratio =
+        ratios_.of(law, std::accumulate(nodes.area.begin(), nodes.area.end(), 0.0));
+    for (double& area : nodes.area) {
+      area *= ratio;
     }
     nodes.value.resize(nodes.node.size());
     nodes.force.resize(nodes.node.size());
@@ -275,9 +299,7 @@ void SurfaceLoads<Dim>::save(Archive& archive, const std::string& name) const {
     impulse.insert(impulse.end(), of_law.data(), of_law.data() + 3);
   }
   archive.write(name + "/impulse", impulse);
-  if (keeps_ratios_ && !ratios_.values().empty()) {
-    archive.write(name + "/area_ratios", ratios_.values());
-  }
+  ratios_.save(archive, name + "/area_ratios");
   outside_.save(archive, name + "/outside");
 }
 
@@ -289,6 +311,7 @@ void SurfaceLoads<Dim>::load(const Archive& archive, const std::string& name) {
   for (std::size_t law = 0; law < impulse_.size(); ++law) {
     impulse_[law] = Eigen::Map<const Vec3>(impulse.data() + 3 * law);
   }
+  ratios_.load(archive, name + "/area_ratios");
   outside_.load(archive, name + "/outside");
 }
 

@@ -6,8 +6,8 @@
 #include "lapilli/core/balance.hpp"
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
 #include "lapilli/mpm/dynamics/load_shares.hpp"
+#include "lapilli/mpm/surface/area_ratios.hpp"
 #include "lapilli/mpm/surface/nodal_surface.hpp"
-#include "lapilli/mpm/surface/shape_areas.hpp"
 #include "lapilli/mpm/surface/surface_view.hpp"
 #include "lapilli/mpm/surface/wall_contact.hpp"
 
@@ -58,7 +58,11 @@ class SurfaceLoads {
   void go_on(const PointStart& start);
   void compare_with_shapes(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem);
   void project_surface(const DynamicsData<Dim>& data);
-  NodalAreas<Dim> free_areas(const Grid<Dim>& grid) const;
+  AreaRatios::Found areas_without_others(const DynamicsData<Dim>& data,
+                                         const DistanceFunction& distance,
+                                         const std::vector<std::size_t>& bodies) const;
+  NodalAreas<Dim> free_areas(const Grid<Dim>& grid, const NodalSums<Dim>& sums,
+                             const OutsideCells<Dim>& cells) const;
   void find_surface(const DynamicsData<Dim>& data);
   double area_of(std::size_t law) const;
   FieldAreas<Dim> areas_of_fields() const;
@@ -77,7 +81,6 @@ class SurfaceLoads {
   NodalSums<Dim> sums_;
   std::vector<double> scratch_[1 + Dim];  // fraction and area vector, by velocity field
   AreaRatios ratios_;                     // of tractions
-  bool keeps_ratios_ = false;             // for a next stage
 };
 
 /// "pressure 2" or the name the user gave.

@@ -23,35 +23,54 @@ bool BoundaryConditions<Dim>::has_held_temperature() const {
   return std::ranges::any_of(laws_, holds_temperature);
 }
 
+/// Only a flux that does not depend on the temperature may act on negative areas.
+template <int Dim>
+const std::vector<double>& BoundaryConditions<Dim>::used_by(std::size_t law,
+                                                            const NodalAreas<Dim>& areas) const {
+  const bool is_signed = surroundings_of(laws_[law]) == nullptr && lapilli::is_linear(laws_[law]);
+  return is_signed ? areas.area : areas.positive;
+}
+
+template <int Dim>
+std::vector<double> BoundaryConditions<Dim>::areas_of(
+    const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
+    const std::function<std::vector<SurfacePlace<Dim>>()>& places) const {
+  std::vector<double> found(laws_.size(), 0.0);
+  const auto parts = divide_surface<Dim>(grid, areas, places, regions_of(laws_));
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    for (const SurfacePart<Dim>& part : parts[law]) {
+      found[law] += part.share * used_by(law, areas)[part.row];
+    }
+  }
+  return found;
+}
+
 template <int Dim>
 void BoundaryConditions<Dim>::assign(
     const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
     const std::function<std::vector<SurfacePlace<Dim>>()>& places) {
-  for (Nodes& nodes : nodes_) {
+  const auto parts = divide_surface<Dim>(grid, areas, places, regions_of(laws_));
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    Nodes& nodes = nodes_[law];
     nodes.node.clear();
     nodes.area.clear();
     nodes.normal.clear();
     nodes.position.clear();
-  }
-  const auto parts = divide_surface<Dim>(grid, areas, places, regions_of(laws_));
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    // Only a flux that does not depend on the temperature may act on negative areas.
-    const bool is_signed = surroundings_of(laws_[law]) == nullptr && lapilli::is_linear(laws_[law]);
+    double found = 0.0;
     for (const SurfacePart<Dim>& part : parts[law]) {
-      const double area =
-          ratios_.of(law) * part.share * (is_signed ? areas.area : areas.positive)[part.row];
+      const double area = part.share * used_by(law, areas)[part.row];
       if (area != 0.0) {
-        nodes_[law].node.push_back(areas.node[part.row]);
-        nodes_[law].area.push_back(area);
-        nodes_[law].normal.push_back(areas.normal[part.row]);
-        nodes_[law].position.push_back(areas.position[part.row]);
+        nodes.node.push_back(areas.node[part.row]);
+        nodes.area.push_back(area);
+        nodes.normal.push_back(areas.normal[part.row]);
+        nodes.position.push_back(areas.position[part.row]);
+        found += area;
       }
     }
-  }
-  if (!ratios_.are_known()) {
-    ratios_.match(nodes_);
-  }
-  for (Nodes& nodes : nodes_) {
+    const double ratio = ratios_.of(law, found);
+    for (double& area : nodes.area) {
+      area *= ratio;
+    }
     nodes.state.resize(nodes.node.size());
     nodes.rate.resize(nodes.node.size());
     nodes.slope.resize(nodes.node.size());
@@ -61,13 +80,13 @@ void BoundaryConditions<Dim>::assign(
 template <int Dim>
 void BoundaryConditions<Dim>::save(Archive& archive, const std::string& name) const {
   account_.save(archive, name);
-  archive.write(name + "/area_ratios", ratios_.values());
+  ratios_.save(archive, name + "/area_ratios");
 }
 
 template <int Dim>
 void BoundaryConditions<Dim>::load(const Archive& archive, const std::string& name) {
   account_.load(archive, name);
-  ratios_.restore(archive.read_numbers(name + "/area_ratios"));
+  ratios_.load(archive, name + "/area_ratios");
 }
 
 template <int Dim>

@@ -8,8 +8,8 @@
 #include "lapilli/core/balance.hpp"
 #include "lapilli/mpm/heat/condition_account.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
+#include "lapilli/mpm/surface/area_ratios.hpp"
 #include "lapilli/mpm/surface/nodal_surface.hpp"
-#include "lapilli/mpm/surface/shape_areas.hpp"
 #include "lapilli/mpm/surface/surface_regions.hpp"
 #include "lapilli/mpm/surface/surface_view.hpp"
 
@@ -53,8 +53,10 @@ class BoundaryConditions {
   /// are regions.
   void assign(const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
               const std::function<std::vector<SurfacePlace<Dim>>()>& places);
-  /// Scale the areas that are assigned from here on so that those of the next assignment become
-  /// what shapes have, by law.
+  /// The area that each law would have of these, m^(dim-1), scaled by nothing.
+  std::vector<double> areas_of(const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
+                               const std::function<std::vector<SurfacePlace<Dim>>()>& places) const;
+  /// Scale the areas that are assigned from here on.
   void compare_areas(AreaRatios ratios) { ratios_ = std::move(ratios); }
   const AreaRatios& area_ratios() const { return ratios_; }
   /// Place the probes of held temperatures, one cell below the surface, among the nodes that are
@@ -102,6 +104,7 @@ class BoundaryConditions {
                         Slope wanted);
   void read_states(Nodes& nodes, std::span<const double> temperature) const;
   void find_own_slopes(Nodes& nodes, std::span<const double> coefficient) const;
+  const std::vector<double>& used_by(std::size_t law, const NodalAreas<Dim>& areas) const;
   void require_absolute(std::size_t law, std::span<const double> values) const;
 
   std::vector<HeatBoundary> laws_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 
 #include "lapilli/mpm/surface/divide_pieces.hpp"
 
@@ -74,25 +73,6 @@ CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> sh
                std::back_inserter(made.touching),
                [&](std::size_t other) { return resisting.of(body, other) < 0; });
   return made;
-}
-
-std::vector<std::vector<std::size_t>> groups_of(
-    const std::vector<std::vector<std::size_t>>& touching) {
-  std::vector<std::size_t> group(touching.size());
-  std::iota(group.begin(), group.end(), std::size_t{0});
-  for (std::size_t round = 0; round < touching.size(); ++round) {
-    for (std::size_t body = 0; body < touching.size(); ++body) {
-      for (const std::size_t other : touching[body]) {
-        group[body] = group[other] = std::min(group[body], group[other]);
-      }
-    }
-  }
-  std::vector<std::vector<std::size_t>> groups(touching.size());
-  for (std::size_t body = 0; body < touching.size(); ++body) {
-    groups[group[body]].push_back(body);
-  }
-  std::erase_if(groups, [](const auto& some) { return some.empty(); });
-  return groups;
 }
 
 template HeatProblem<1> with_kinks(HeatProblem<1>);

@@ -36,8 +36,4 @@ template <int Dim>
 CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> shapes,
                       std::size_t body, const PairEntries& resisting, SurfaceFound& found);
 
-/// The bodies that touch, directly or through others, as one group each; `touching` by body.
-std::vector<std::vector<std::size_t>> groups_of(
-    const std::vector<std::vector<std::size_t>>& touching);
-
 }  // namespace lapilli

@@ -12,6 +12,7 @@
 #include "lapilli/mpm/heat/cut_bodies.hpp"
 #include "lapilli/mpm/heat/part_surface.hpp"
 #include "lapilli/mpm/heat/shared_cells.hpp"
+#include "lapilli/mpm/surface/shape_areas.hpp"
 
 namespace lapilli {
 namespace {

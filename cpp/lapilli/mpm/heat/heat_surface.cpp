@@ -44,28 +44,6 @@ NodalAreas<Dim> HeatSurface<Dim>::areas(const Points& points,
 }
 
 template <int Dim>
-NodalSums<Dim> nodal_sums(const Points& points, const HeatProblem<Dim>& problem,
-                          const HeatCoefficients<Dim>& coefficients) {
-  const Grid<Dim>& grid = problem.grid;
-  NodalSums<Dim> sums;
-  sums.fraction.assign(static_cast<std::size_t>(grid.node_count()), 0.0);
-  sums.area_vector.assign(sums.fraction.size(), Vec<Dim>::Zero());
-  const double per_cell = 1.0 / grid.cell_volume();
-  for (Index row = 0; row < points.size(); ++row) {
-    const double volume = points.volume()[row];
-    with_shape(problem.shape, coefficients.half_width[points.body()[row]], [&](auto shape) {
-      const Weights<Dim, decltype(shape)> weights(grid, shape,
-                                                  points.position().data() + row * Dim);
-      weights.for_each_node(grid, [&](Index node, double s, const Vec<Dim>& slope) {
-        sums.fraction[node] += per_cell * volume * s;
-        sums.area_vector[node] += volume * slope;
-      });
-    });
-  }
-  return sums;
-}
-
-template <int Dim>
 NodalAreas<Dim> paper_areas(const Points& points, const HeatProblem<Dim>& problem,
                             const HeatCoefficients<Dim>& coefficients, const NodalSums<Dim>& sums) {
   const Grid<Dim>& grid = problem.grid;
@@ -193,8 +171,6 @@ NodalAreas<Dim> face_areas(const Grid<Dim>& grid, const Points& points,
 
 #define LAPILLI_INSTANTIATE(Dim)                                                             \
   template class HeatSurface<Dim>;                                                           \
-  template NodalSums<Dim> nodal_sums(const Points&, const HeatProblem<Dim>&,                 \
-                                     const HeatCoefficients<Dim>&);                          \
   template NodalAreas<Dim> paper_areas(const Points&, const HeatProblem<Dim>&,               \
                                        const HeatCoefficients<Dim>&, const NodalSums<Dim>&); \
   template NodalAreas<Dim> face_areas(const Grid<Dim>&, const Points&,                       \

@@ -15,6 +15,8 @@ class HeatSurface {
   /// Areas at the points' present places. `sums` were taken there too.
   NodalAreas<Dim> areas(const Points& points, const HeatCoefficients<Dim>& coefficients,
                         const NodalSums<Dim>& sums);
+  /// Of the points that `areas` was asked for last.
+  const OutsideCells<Dim>& outside() const { return outside_; }
 
   void save(Archive& archive, const std::string& name) const { outside_.save(archive, name); }
   void load(const Archive& archive, const std::string& name) { outside_.load(archive, name); }
@@ -25,11 +27,6 @@ class HeatSurface {
   OutsideCells<Dim> outside_;
   Index version_;  // of the points that outside_ belongs to
 };
-
-/// sum V S / h^dim and sum V grad S at every node.
-template <int Dim>
-NodalSums<Dim> nodal_sums(const Points& points, const HeatProblem<Dim>& problem,
-                          const HeatCoefficients<Dim>& coefficients);
 
 /// Yu & Zhao (2026), Algorithm 1 with n_p = -grad phi: surface nodes are those of every cell filled
 /// to less than `fraction` (empty ones included), A_I = sum V_p n_p . grad S_Ip.

@@ -46,7 +46,8 @@ void NodalHeat<Dim>::assemble() {
   const std::vector<double> capacity = point_capacities(points_, problem_.bodies);
   const std::vector<double> start = initial_temperatures(points_, problem_.bodies);
   require_absolute(problem_, points_, start);
-  NodalSums<Dim> sums = nodal_sums(points_, problem_, coefficients_);
+  NodalSums<Dim> sums =
+      nodal_sums<Dim>(points_, problem_.grid, problem_.shape, coefficients_.half_width);
   NodalOperators<Dim> operators =
       assemble_operators(points_, problem_, coefficients_, capacity, carries_points());
   rows_ = std::move(operators.rows);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/nodal_assembly.hpp"
@@ -160,9 +161,27 @@ void ParticleHeat<Dim>::compare_with_shapes() {
       shapes.size() < problem_.bodies.size()) {
     return;
   }
-  laws_.compare_areas(
-      AreaRatios(areas_of_shapes<Dim>(problem_.grid, problem_.shape, shapes,
-                                      regions_of(problem_.settings.boundaries), problem_.walls)));
+  const ShapeAreas wanted =
+      areas_of_shapes<Dim>(problem_.grid, problem_.shape, shapes,
+                           regions_of(problem_.settings.boundaries), problem_.walls);
+  laws_.compare_areas(AreaRatios(wanted, [&](const std::vector<std::size_t>& bodies) {
+    return areas_without_others(bodies);
+  }));
+}
+
+template <int Dim>
+AreaRatios::Found ParticleHeat<Dim>::areas_without_others(
+    const std::vector<std::size_t>& bodies) const {
+  const std::unique_ptr<Points> some = points_of(points_, bodies);
+  HeatSurface<Dim> surface(*some, problem_);
+  const NodalAreas<Dim> areas = surface.areas(
+      *some, coefficients_,
+      nodal_sums<Dim>(*some, problem_.grid, problem_.shape, coefficients_.half_width));
+  return {std::accumulate(areas.area.begin(), areas.area.end(), 0.0),
+          laws_.areas_of(problem_.grid, areas, [&] {
+            return surface_places<Dim>(problem_.grid, *some, problem_.shape,
+                                       coefficients_.half_width, areas);
+          })};
 }
 
 template <int Dim>
@@ -177,8 +196,9 @@ void ParticleHeat<Dim>::find_surface() {
     laws_.assign(problem_.grid, areas, [&] { return projected_places<Dim>(areas); });
     return;
   }
-  const NodalAreas<Dim> areas = surface_->areas(points_, coefficients_, grid_.sums);
+  NodalAreas<Dim> areas = surface_->areas(points_, coefficients_, grid_.sums);
   negative_share_ = areas.negative_share();
+  laws_.area_ratios().scale(areas, surface_->outside());
   laws_.assign(problem_.grid, areas, [&] {
     return surface_places<Dim>(problem_.grid, points_, problem_.shape, coefficients_.half_width,
                                areas, problem_.walls);

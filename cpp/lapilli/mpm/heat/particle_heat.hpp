@@ -81,6 +81,7 @@ class ParticleHeat final : public Physics,
   // The phases of a step.
   void project_to_grid();
   void compare_with_shapes();
+  AreaRatios::Found areas_without_others(const std::vector<std::size_t>& bodies) const;
   void find_surface();
   void conduct();
   void exchange_with_surroundings(const Step& step);

@@ -1,4 +1,6 @@
 // Heat that goes on from another run or stage.
+#include <numeric>
+
 #include "lapilli/mpm/heat/particle_heat.hpp"
 
 namespace lapilli {
@@ -50,10 +52,10 @@ void ParticleHeat<Dim>::go_on(const PointStart& start) {
   bound_step();
   project_to_grid();
   const std::string ratios = "heat/laws/area_ratios";
-  if (!laws_.empty() && start.same_heat_laws && start.state->contains(ratios)) {
-    AreaRatios before;  // bodies have moved away from their shapes
-    before.restore(start.state->read_numbers(ratios));
-    laws_.compare_areas(std::move(before));
+  if (!laws_.empty() && start.same_heat_laws && start.state->contains(ratios + "/bodies")) {
+    std::vector<int> laws(problem_.settings.boundaries.size());
+    std::iota(laws.begin(), laws.end(), 0);  // bodies have moved away from their shapes
+    laws_.compare_areas(AreaRatios::of_before(*start.state, ratios, start.body, laws));
     surface_found_ = {-1, -1};
     find_surface();
   }

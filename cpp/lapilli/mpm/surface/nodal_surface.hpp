@@ -32,6 +32,9 @@ class OutsideCells {
 
   /// One flag a cell of the padded grid, zero inside.
   std::span<const unsigned char> flags() const { return outside_; }
+  /// The body that has points nearest to a node, within two cells along every axis; -1 where none
+  /// has.
+  int body_beside(Index node) const;
 
   void save(Archive& archive, const std::string& name) const;
   void load(const Archive& archive, const std::string& name);
@@ -63,6 +66,11 @@ struct NodalSums {
   std::vector<double> fraction;       // sum V S / h^dim, every node of the grid
   std::vector<Vec<Dim>> area_vector;  // a_I = sum V grad S = closed integral of S n, m^(dim-1)
 };
+
+/// At every node of the grid; `half_width` (cells) of the shape function is by body.
+template <int Dim>
+NodalSums<Dim> nodal_sums(const Points& points, const Grid<Dim>& grid, ShapeFunction function,
+                          std::span<const double> half_width);
 
 /// Area A_I, outward normal and place of every node near the surface. Areas are signed: they suit
 /// prescribed fluxes. `positive` holds the same total without negative entries, for laws that

@@ -44,6 +44,31 @@ void OutsideCells<Dim>::mark_occupied(const Points& points) {
 }
 
 template <int Dim>
+int OutsideCells<Dim>::body_beside(Index node) const {
+  if (bodies_ == 1) {
+    return 0;
+  }
+  const auto at = grid_.node_at(node);
+  for (int ring = 1; ring <= 2; ++ring) {
+    const int width = 2 * ring, cells = Dim == 1   ? width
+                                        : Dim == 2 ? width * width
+                                                   : width * width * width;
+    for (int k = 0; k < cells; ++k) {
+      auto cell = at;
+      bool inside = true;
+      for (int axis = 0, rest = k; axis < Dim; ++axis, rest /= width) {
+        cell[axis] += rest % width - ring;
+        inside = inside && cell[axis] >= 0 && cell[axis] < grid_.cells(axis);
+      }
+      if (const int body = inside ? body_[grid_.cell_index(cell)] : none; body >= 0) {
+        return body;
+      }
+    }
+  }
+  return -1;
+}
+
+template <int Dim>
 void OutsideCells<Dim>::close() {
   closed_ = occupied_;
   for (int body = 0; body < bodies_; ++body) {

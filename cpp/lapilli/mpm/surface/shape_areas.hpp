@@ -10,47 +10,24 @@
 
 namespace lapilli {
 
-/// The free surface that each boundary condition has of bodies of known shape, m^(Dim-1); what
-/// rests on another body or a wall of the grid is none. `regions` by condition, null for what is
-/// left.
-template <int Dim>
-std::vector<double> areas_of_shapes(const Grid<Dim>& grid, ShapeFunction function,
-                                    std::span<const Shape> bodies,
-                                    const std::vector<const Shape*>& regions,
-                                    const ContactFaces& walls);
+/// The free surface of bodies of known shape, m^(Dim-1); what rests on another body or a wall of
+/// the grid is none.
+struct ShapeAreas {
+  std::vector<double> whole;                       // by body
+  std::vector<std::vector<double>> by_condition;   // by body and boundary condition
+  std::vector<std::vector<std::size_t>> touching;  // by body: bodies found to touch it
 
-/// Nodal areas of a few cells lose surface at corners: 12 % of a square of four cells, half of a
-/// plate of one. The ratio of the area of the shape to what the nodes find at the start makes up
-/// for it, by condition, and stays as the body moves and deforms.
-class AreaRatios {
- public:
-  AreaRatios() = default;
-  explicit AreaRatios(std::vector<double> of_shapes) : wanted_(std::move(of_shapes)) {}
-
-  /// Whether the start has been looked at, or there is nothing to compare it with.
-  bool are_known() const { return wanted_.empty() || !ratio_.empty(); }
-  /// Compare with the areas found at the start, by condition, and scale these.
-  template <class Nodes>
-  void match(std::vector<Nodes>& nodes) {
-    for (std::size_t condition = 0; condition < wanted_.size(); ++condition) {
-      std::vector<double>& areas = nodes[condition].area;
-      ratio_.push_back(ratio_to(wanted_[condition], areas));
-      for (double& area : areas) {
-        area *= ratio_.back();
-      }
-    }
-  }
-  double of(std::size_t condition) const { return ratio_.empty() ? 1.0 : ratio_[condition]; }
-  /// The farthest ratio from 1.
-  double farthest() const;
-
-  const std::vector<double>& values() const { return ratio_; }
-  void restore(std::vector<double> ratios) { ratio_ = std::move(ratios); }
-
- private:
-  static double ratio_to(double wanted, std::span<const double> areas);
-
-  std::vector<double> wanted_, ratio_;
+  std::size_t conditions() const { return by_condition.empty() ? 0 : by_condition.front().size(); }
 };
+
+/// `regions` by boundary condition, null for what is left.
+template <int Dim>
+ShapeAreas areas_of_shapes(const Grid<Dim>& grid, ShapeFunction function,
+                           std::span<const Shape> bodies, const std::vector<const Shape*>& regions,
+                           const ContactFaces& walls);
+
+/// Bodies that hang together by touching, in groups.
+std::vector<std::vector<std::size_t>> groups_of(
+    const std::vector<std::vector<std::size_t>>& touching);
 
 }  // namespace lapilli
