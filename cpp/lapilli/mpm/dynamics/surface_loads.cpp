@@ -117,7 +117,10 @@ AreaRatios::Found SurfaceLoads<Dim>::areas_without_others(
       free_areas(data.grid, nodal_sums<Dim>(*some, data.grid, data.shape, data.half_widths), cells);
   const auto parts = divide_surface<Dim>(
       data.grid, areas,
-      [&] { return surface_places<Dim>(data.grid, *some, data.shape, data.half_widths, areas); },
+      [&] {
+        return surface_places<Dim>(data.grid, *some, data.shape, data.half_widths, areas,
+                                   contact_faces(data.walls));
+      },
       regions_of(laws_));
   AreaRatios::Found found{std::accumulate(areas.area.begin(), areas.area.end(), 0.0), {}};
   for (const auto& of_law : parts) {

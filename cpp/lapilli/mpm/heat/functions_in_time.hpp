@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "lapilli/core/value.hpp"
-#include "lapilli/mpm/heat/condition_values.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 
 namespace lapilli {

@@ -180,7 +180,7 @@ AreaRatios::Found ParticleHeat<Dim>::areas_without_others(
   return {std::accumulate(areas.area.begin(), areas.area.end(), 0.0),
           laws_.areas_of(problem_.grid, areas, [&] {
             return surface_places<Dim>(problem_.grid, *some, problem_.shape,
-                                       coefficients_.half_width, areas);
+                                       coefficients_.half_width, areas, problem_.walls);
           })};
 }
 

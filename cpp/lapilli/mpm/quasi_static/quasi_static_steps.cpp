@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <stdexcept>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/step_refused.hpp"
+#include "lapilli/core/step_stop.hpp"
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
 
 namespace lapilli {
@@ -39,15 +41,22 @@ StepReport QuasiStatic<Dim>::advance(const Step& step) {
 template <int Dim>
 typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::attempt(double from, double to) {
   if (!is_reset_due()) {
-    return try_step(from, to);
+    const auto scheme = reference_.scheme;
+    try {
+      return try_step(from, to, StepStop::stoppable());
+    } catch (const StepStopped&) {
+      reference_.scheme = scheme;  // it may have been made stiffer on the way
+      throw;
+    }
   }
   Archive before;
   reference_.save(before);
   const bool moved_far = moved_far_;
   try {
+    std::unique_ptr<Interruption> stoppable = StepStop::stoppable();
     reset_grid(from);
-    return try_step(from, to);
-  } catch (const RunError&) {
+    return try_step(from, to, std::move(stoppable));
+  } catch (const std::runtime_error&) {
     choose_stiffness(moved_far);
     undo_reset(before);
     throw;
