@@ -1,5 +1,6 @@
 """Holds the table of who may include whom: folders of the library know only what they stand on."""
 
+import collections
 import re
 import sys
 from pathlib import Path
@@ -12,6 +13,7 @@ from house import ALLOWED, LIBRARY, included, sources, upward_includes  # noqa: 
 
 sys.path.remove(str(ROOT / "tools"))
 
+TYPE = re.compile(r"^(?:struct|class|enum class) (\w+)(?: final)?(?: :[^:].*)? \{", re.MULTILINE)
 SYSTEM = re.compile(r"^\s*#\s*include\s+<([^>]+)>", re.MULTILINE)
 
 
@@ -44,6 +46,17 @@ def test_the_bindings_include_scene_output_core_and_plain_structs() -> None:
         and not header.endswith(("settings.hpp", "surface_view.hpp"))
     }
     assert not solvers
+
+
+def test_no_two_headers_declare_one_name() -> None:
+    """The linker would merge what templates make of them, without a word."""
+    homes = collections.defaultdict(set)
+    for path in sources(LIBRARY):
+        if path.suffix == ".hpp":
+            for name in TYPE.findall(path.read_text()):
+                homes[name].add(str(path.relative_to(LIBRARY)))
+    assert len(homes) > 200, "the pattern sees nothing"
+    assert not {name: where for name, where in homes.items() if len(where) > 1}
 
 
 @pytest.mark.parametrize(

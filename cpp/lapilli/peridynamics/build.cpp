@@ -74,7 +74,7 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
             fluid.newtonian.density, " kg/m^3 of the newtonian material");
     horizon = std::max(horizon, scene.flow->horizon * scene.spacing);
   }
-  for (const Wall& wall : scene.walls) {
+  for (const FluidWall& wall : scene.walls) {
     check(wall.settings, points.dimension());
   }
 

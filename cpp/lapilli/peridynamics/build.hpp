@@ -20,7 +20,7 @@ struct PeridynamicScene {
   /// conduction is short of that layer.
   FluidDistance region;
   Fluid fluid;
-  std::vector<Wall> walls;  // bodies of `points` that are walls; all others are fluid
+  std::vector<FluidWall> walls;  // bodies of `points` that are walls; all others are fluid
   std::optional<PeridynamicHeatSettings> heat;
   std::optional<PeridynamicFlowSettings> flow;
   std::vector<FluidDistance> wall_shapes = {};  // see WallSurface

@@ -12,7 +12,7 @@ namespace {
 constexpr Index piece = 128;  // points worked on as one piece
 
 /// Whether a wall's heat is a flux times the area it shares with the fluid.
-bool acts_by_area(const Wall& wall) {
+bool acts_by_area(const FluidWall& wall) {
   return wall.settings.heat == WallHeat::flux || wall.settings.heat == WallHeat::convection;
 }
 
@@ -27,7 +27,7 @@ Conduction<Dim>::Conduction(Points& points, const WallSurface& walls,
       bonds_(points, walls, settings, conductivity),
       share_(walls.walls().size(), 1.0),
       wall_area_(walls.walls().size(), 0.0) {
-  for (const Wall& wall : walls.walls()) {
+  for (const FluidWall& wall : walls.walls()) {
     areas_matter_ |= acts_by_area(wall);
   }
 }

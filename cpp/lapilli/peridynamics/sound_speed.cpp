@@ -83,7 +83,7 @@ double temperature_range(const Points& points, const PeridynamicHeat& heat, doub
   const Fluid& fluid = heat.material();
   Span temperature;
   double driven = 0.0;  // K m/W, over the conductivity
-  for (const Wall& wall : walls.walls()) {
+  for (const FluidWall& wall : walls.walls()) {
     const WallHeat kind = wall.settings.heat;
     if (kind == WallHeat::temperature || kind == WallHeat::convection) {
       temperature.take(wall.settings.temperature);
@@ -118,7 +118,7 @@ double choose_sound_speed(const Points& points, const WallSurface& walls,
     return settings.sound_speed;
   }
   double moving = 0.0;  // m/s
-  for (const Wall& wall : walls.walls()) {
+  for (const FluidWall& wall : walls.walls()) {
     moving = std::max(moving, place(wall.settings.velocity).norm());
   }
   for (const FluidBody& body : fluid.bodies) {

@@ -32,7 +32,7 @@ TwoFieldConduction<Dim>::TwoFieldConduction(Points& points, const WallSurface& w
       weight_{settings.influence, settings.widest_horizon() * walls.spacing(), walls.spacing(),
               true},
       families_(points, weight_.horizon, settings.skin * walls.spacing(), roles_of(walls)) {
-  for (const Wall& wall : walls.walls()) {
+  for (const FluidWall& wall : walls.walls()) {
     require(wall.settings.heat != WallHeat::convection, "wall '", wall.settings.name, "' has ",
             name_of(wall.settings.heat), ", which the laplacian '", name_of(settings.laplacian),
             "' does not know; take compact or corrected");

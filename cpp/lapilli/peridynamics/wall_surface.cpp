@@ -44,8 +44,9 @@ Vec3 away_from_fluid(const FluidDistance& distance, const Vec3& at, int dimensio
 
 }  // namespace
 
-WallSurface::WallSurface(Points& points, std::vector<Wall> walls, const FluidDistance& distance,
-                         double spacing, std::vector<FluidDistance> shapes)
+WallSurface::WallSurface(Points& points, std::vector<FluidWall> walls,
+                         const FluidDistance& distance, double spacing,
+                         std::vector<FluidDistance> shapes)
     : points_(points),
       walls_(std::move(walls)),
       spacing_(spacing),

@@ -14,7 +14,7 @@ namespace lapilli {
 using FluidDistance = std::function<double(const Vec3&)>;
 
 /// A wall and the body that holds its points.
-struct Wall {
+struct FluidWall {
   FluidWallSettings settings;
   int body = 0;
 };
@@ -27,10 +27,10 @@ class WallSurface {
   /// lies in the fluid, a fluid point in a wall, or a body number occurs twice.
   /// `shapes`, one a wall or none at all, are signed distances from the walls, m, negative inside;
   /// without them walls are known by their points alone.
-  WallSurface(Points& points, std::vector<Wall> walls, const FluidDistance& distance,
+  WallSurface(Points& points, std::vector<FluidWall> walls, const FluidDistance& distance,
               double spacing, std::vector<FluidDistance> shapes = {});
 
-  const std::vector<Wall>& walls() const { return walls_; }
+  const std::vector<FluidWall>& walls() const { return walls_; }
   /// Which wall a point belongs to; -1: fluid.
   int wall(Index point) const { return wall_of_body_[points_.body()[point]]; }
   int wall_of_body(Index body) const { return wall_of_body_[body]; }
@@ -75,7 +75,7 @@ class WallSurface {
 
  private:
   Points& points_;
-  std::vector<Wall> walls_;
+  std::vector<FluidWall> walls_;
   std::vector<int> wall_of_body_;
   double spacing_;
   PointArray depth_, normal_;

@@ -69,8 +69,8 @@ inline FluidDistance box_distance(const Layout& layout) {
   };
 }
 
-inline std::vector<Wall> make_walls(double left, double right) {
-  std::vector<Wall> walls(4);
+inline std::vector<FluidWall> make_walls(double left, double right) {
+  std::vector<FluidWall> walls(4);
   const char* names[] = {"left", "right", "bottom", "top"};
   for (int k = 0; k < 4; ++k) {
     walls[k].settings.name = names[k];
@@ -100,7 +100,7 @@ struct Case {
 
   Case(const Layout& of, const PeridynamicHeatSettings& heat_settings,
        std::optional<PeridynamicFlowSettings> flow_settings = {},
-       std::vector<Wall> walls = make_walls(1.0, 0.0), const Fluid& fluid = unit_fluid())
+       std::vector<FluidWall> walls = make_walls(1.0, 0.0), const Fluid& fluid = unit_fluid())
       : layout(of) {
     auto points = make_points(layout);
     const PeridynamicScene scene{layout.spacing(), box_distance(layout), fluid,

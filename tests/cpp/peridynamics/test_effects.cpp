@@ -64,7 +64,7 @@ TEST_CASE("hot fluid rises with either form of buoyancy") {
 
 TEST_CASE("viscous heat warms the fluid by what it took from the motion") {
   auto walls = cavity::make_walls(0.0, 0.0);
-  for (Wall& wall : walls) {
+  for (FluidWall& wall : walls) {
     wall.settings.heat = WallHeat::adiabatic;
   }
   walls[3].settings.velocity = {1.0, 0.0};

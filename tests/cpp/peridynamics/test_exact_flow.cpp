@@ -27,7 +27,7 @@ double vortex_error(int rows) {
   Layout layout;
   layout.columns = layout.rows = rows;
   auto walls = cavity::make_walls(0.0, 0.0);
-  for (Wall& wall : walls) {
+  for (FluidWall& wall : walls) {
     wall.settings.slip = Slip::free_slip;
   }
   PeridynamicFlowSettings flow;
@@ -73,7 +73,7 @@ TEST_CASE("a lid over a long closed box drives the return flow of lubrication") 
   flow.sound_speed = 60.0;  // the pressure rises by 6 mu U / h over each height
   PeridynamicHeatSettings heat;
   heat.viscous_dissipation = true;
-  for (Wall& wall : walls) {
+  for (FluidWall& wall : walls) {
     wall.settings.heat = WallHeat::adiabatic;
   }
   Fluid fluid = cavity::unit_fluid();
@@ -104,7 +104,7 @@ TEST_CASE("viscous heat is what a linear shear gives, up to the walls, and none 
   layout.columns = layout.rows = 12;
   auto walls = cavity::make_walls(0.0, 0.0);
   walls[3].settings.velocity = {3.0, 0.0};
-  for (Wall& wall : walls) {
+  for (FluidWall& wall : walls) {
     wall.settings.heat = WallHeat::adiabatic;
   }
   PeridynamicHeatSettings heat;

@@ -19,7 +19,7 @@ Layout square(int rows) {
 
 /// Acceleration along x of the fluid over one short step from the velocity `along(y)`.
 std::vector<double> acceleration(const Layout& layout, const PeridynamicFlowSettings& flow,
-                                 const std::vector<Wall>& walls,
+                                 const std::vector<FluidWall>& walls,
                                  const std::function<double(double)>& along,
                                  std::vector<double>& height) {
   Case run(layout, {}, flow, walls);
@@ -133,7 +133,7 @@ TEST_CASE("the sound speed follows what drives the flow") {
   flow = {};
   flow.gravity = {0.0, -100.0};
   fluid.bodies[0].temperature = -3.0;
-  const auto speed = [&](const std::vector<Wall>& walls) {
+  const auto speed = [&](const std::vector<FluidWall>& walls) {
     return Case(layout, {}, flow, walls, fluid).flow->sound_speed();
   };
   REQUIRE(speed(cavity::make_walls(1.0, 0.0)) == Approx(5.0 * std::sqrt(4.0)));

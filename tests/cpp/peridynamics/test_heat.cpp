@@ -193,7 +193,7 @@ TEMPLATE_TEST_CASE_SIG("a rod and a block conduct like the plane", "", ((int Dim
     }
   }
   const int bodies = Dim == 3 ? 4 : 3;
-  std::vector<Wall> walls(static_cast<std::size_t>(bodies - 1));
+  std::vector<FluidWall> walls(static_cast<std::size_t>(bodies - 1));
   for (int body = 0; body < bodies; ++body) {
     points->append(position[body],
                    std::vector<double>(position[body].size() / Dim, std::pow(dx, Dim)), body);

@@ -81,6 +81,15 @@ std::vector<std::string> warnings(const DynamicsSettings& settings) {
         "dynamics.stress_update usl damps what vibrates, by up to a quarter of its energy in a "
         "hundred periods; musl does not");
   }
+  for (std::size_t k = 0; k < settings.obstacles.size(); ++k) {
+    const Obstacle& one = settings.obstacles[k];
+    if (one.revolutions_per_second != 0.0 && one.center.empty() && !one.mass) {
+      all.push_back(message("dynamics.obstacles.", k, one.name.empty() ? "" : " (", one.name,
+                            one.name.empty() ? "" : ")",
+                            " turns about the origin of the grid: give center to turn it about "
+                            "another place"));
+    }
+  }
   return all;
 }
 
