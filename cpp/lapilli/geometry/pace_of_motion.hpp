@@ -6,7 +6,8 @@
 namespace lapilli {
 
 /// Keeps automatic steps short enough for prescribed motion where the result depends on where
-/// bodies are in space (step_of_motion.hpp), and says so of a given step that is not. Moves nothing.
+/// bodies are in space (step_of_motion.hpp), and says so of a given step that is not. Moves
+/// nothing.
 class PaceOfMotion final : public Physics, public Warnings {
  public:
   /// `longest`: s.

@@ -127,6 +127,7 @@ StepReport PeridynamicFlow<Dim>::advance(const Step& step) {
   find_families();
   update_density_and_kick(step.size);
   check_density();
+  age_ += step.size;
   return {step.size, 0, 0.0};
 }
 

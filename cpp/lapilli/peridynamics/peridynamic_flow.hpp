@@ -81,7 +81,11 @@ class PeridynamicFlow final : public Flow, public Warnings {
   /// What the mean gradient does not explain of velocity differences, as a force per volume, N/m^3.
   Vec<Dim> zero_energy(Index point, const double* weights) const;
   void check_density();
-  double peclet() const;  // rms(v) times the width of the fluid over its diffusivity
+  /// Root mean square of the velocity, m/s, and width of the fluid, m.
+  struct Pace {
+    double speed, width;
+  };
+  Pace pace() const;
 
   Vec<Dim> body_force(Index point) const;  // acceleration, m/s^2
   bool fluid(Index point) const { return walls_->wall(point) < 0; }
@@ -114,6 +118,7 @@ class PeridynamicFlow final : public Flow, public Warnings {
   std::vector<double> piece_least_, piece_most_, piece_spacing_, piece_fastest_, piece_farthest_;
   double least_density_, most_density_, smallest_spacing_;
   bool started_ = false, fastest_known_ = false;
+  double age_ = 0.0;  // s, since the start
 };
 
 }  // namespace lapilli

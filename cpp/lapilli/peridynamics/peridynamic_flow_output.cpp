@@ -44,7 +44,7 @@ std::vector<std::pair<std::string, double>> PeridynamicFlow<Dim>::diagnostics() 
 }
 
 template <int Dim>
-double PeridynamicFlow<Dim>::peclet() const {
+typename PeridynamicFlow<Dim>::Pace PeridynamicFlow<Dim>::pace() const {
   double squared = 0.0, volume = 0.0;
   for (Index i = 0; i < points_.size(); ++i) {
     if (fluid(i)) {
@@ -53,15 +53,19 @@ double PeridynamicFlow<Dim>::peclet() const {
       volume += points_.volume()[i];
     }
   }
-  return std::sqrt(squared / volume) * std::pow(volume, 1.0 / Dim) /
-         heat_->material().diffusivity();
+  return {std::sqrt(squared / volume), std::pow(volume, 1.0 / Dim)};
 }
 
 template <int Dim>
 std::vector<std::string> PeridynamicFlow<Dim>::warnings() const {
-  // What stands still has nothing but noise.
   const double noise = velocity_noise();
-  if (noise <= coarse_noise || heat_ == nullptr || peclet() <= 1.0) {
+  if (noise <= coarse_noise || heat_ == nullptr) {
+    return {};
+  }
+  // What stands still has nothing but noise, and what has hardly moved is a start.
+  const Pace now = pace();
+  if (now.speed * now.width <= heat_->material().diffusivity() ||
+      now.speed * age_ <= 0.25 * now.width) {
     return {};
   }
   return {message("the points are too few for the layers of this flow: neighbours do not share ",
@@ -80,8 +84,8 @@ void PeridynamicFlow<Dim>::save(Archive& archive) const {
   if (shifted_) {
     archive.write("flow/shifted", shifted_->values());
   }
-  const double numbers[] = {least_density_, most_density_, smallest_spacing_, sound_speed_,
-                            started_ ? 1.0 : 0.0};
+  const double numbers[] = {least_density_, most_density_,        smallest_spacing_,
+                            sound_speed_,   started_ ? 1.0 : 0.0, age_};
   archive.write("flow/numbers", numbers);
   if (dissipation_) {
     archive.write("flow/dissipation", dissipation_->values());
@@ -102,7 +106,7 @@ void PeridynamicFlow<Dim>::load(const Archive& archive) {
   if (shifted_) {
     archive.read("flow/shifted", shifted_->values());
   }
-  double numbers[5];
+  double numbers[6];
   archive.read("flow/numbers", numbers);
   least_density_ = numbers[0];
   most_density_ = numbers[1];
@@ -110,6 +114,7 @@ void PeridynamicFlow<Dim>::load(const Archive& archive) {
   sound_speed_ = numbers[3];
   pressure_.sound_speed = sound_speed_;
   started_ = numbers[4] == 1.0;
+  age_ = numbers[5];
   if (dissipation_) {
     archive.read("flow/dissipation", dissipation_->values());
   }

@@ -2,22 +2,18 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "lapilli/geometry/checks.hpp"
 #include "lapilli/geometry/combine.hpp"
-#include "lapilli/geometry/pace_of_motion.hpp"
-#include "lapilli/geometry/step_of_motion.hpp"
 #include "lapilli/mpm/dynamics/dynamics.hpp"
 #include "lapilli/mpm/dynamics/plastic_heat.hpp"
 #include "lapilli/mpm/dynamics/thermal_strain.hpp"
-#include "lapilli/mpm/heat/follows_changes.hpp"
 #include "lapilli/mpm/heat/heat_in_body_frame.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/heat/particle_heat.hpp"
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"
 #include "lapilli/scene/body_points.hpp"
+#include "lapilli/scene/build_motion.hpp"
 #include "lapilli/scene/build_peridynamics.hpp"
 #include "lapilli/scene/common_motion.hpp"
 #include "lapilli/scene/place_errors.hpp"
@@ -225,32 +221,6 @@ void couple(const Scene& scene, const Beginning& beginning, Points& points, Part
       strain->follow(own->change(), [own] { return own->ahead(); });
     }
     physics.push_back(std::move(strain));
-  }
-}
-
-template <int Dim>
-void add_motion(const Scene& scene, Points& points, PhysicsList& physics) {
-  std::vector<std::optional<Motion>> motions;
-  for (const Body& body : scene.bodies) {
-    motions.push_back(body.motion);
-  }
-  // Heat in the frame of the bodies does not ask where they are, unless its conditions do.
-  const auto* in_frame =
-      physics.size() == 1 ? dynamic_cast<HeatInBodyFrame<Dim>*>(physics.front().get()) : nullptr;
-  const bool matters = scene.heat && (in_frame == nullptr || in_frame->depends_on_place());
-  const double longest = matters ? step_of_motion<Dim>(points, motions, scene.grid.cell)
-                                 : std::numeric_limits<double>::infinity();
-  for (const auto& one : physics) {
-    if (auto* follower = dynamic_cast<FollowsChanges*>(one.get())) {
-      follower->follow_changes(scene.time.end, longest);
-    }
-  }
-  if (has_motion(scene)) {
-    physics.push_back(
-        std::make_unique<PrescribedMotion<Dim>>(points, std::move(motions), in_frame != nullptr));
-  }
-  if (std::isfinite(longest)) {
-    physics.push_back(std::make_unique<PaceOfMotion>(longest));
   }
 }
 

@@ -40,7 +40,7 @@ Surface<Dim> surface(double reach, double h, const Layout& layout, const Distanc
   };
   const HeatCoefficients<Dim> coefficients(problem.bodies, problem.shape);
   Surface<Dim> made;
-  made.sums = nodal_sums(*points, problem, coefficients);
+  made.sums = nodal_sums<Dim>(*points, problem.grid, problem.shape, coefficients.half_width);
   made.areas = HeatSurface<Dim>(*points, problem).areas(*points, coefficients, made.sums);
   return made;
 }
@@ -160,7 +160,8 @@ TEST_CASE("A plate two cells thick has two faces") {
     auto points = scenes::scatter<2>(Vec<2>(0.0, shift), 8.0, 0.5, Layout{},
                                      [](const Vec<2>& y) { return std::abs(y[1]) < 1.0; });
     const HeatCoefficients<2> coefficients(problem.bodies, problem.shape);
-    const NodalSums<2> sums = nodal_sums(*points, problem, coefficients);
+    const NodalSums<2> sums =
+        nodal_sums<2>(*points, problem.grid, problem.shape, coefficients.half_width);
     const NodalAreas<2> areas = HeatSurface<2>(*points, problem).areas(*points, coefficients, sums);
     double up = 0.0, down = 0.0;
     for (std::size_t k = 0; k < areas.node.size(); ++k) {
@@ -200,7 +201,8 @@ TEST_CASE("Exact faces are those of the body") {
   auto points = scenes::scatter<2>(Vec<2>::Zero(), 4.0, 0.5, Layout{},
                                    [](const Vec<2>& y) { return y.cwiseAbs().maxCoeff() < 4.0; });
   const HeatCoefficients<2> coefficients(problem.bodies, problem.shape);
-  const NodalSums<2> sums = nodal_sums(*points, problem, coefficients);
+  const NodalSums<2> sums =
+      nodal_sums<2>(*points, problem.grid, problem.shape, coefficients.half_width);
   const NodalAreas<2> areas = HeatSurface<2>(*points, problem).areas(*points, coefficients, sums);
   CHECK(std::accumulate(areas.area.begin(), areas.area.end(), 0.0) == Approx(32.0).epsilon(1e-14));
   CHECK(areas.node.size() == 32);

@@ -39,7 +39,8 @@ struct Block {
     problem.distance = [=, at = centre](const Vec3& x) {
       return from(Vec<Dim>(back * (x.template head<Dim>() - at)));
     };
-    const NodalSums<Dim> sums = nodal_sums(*points, problem, coefficients);
+    const NodalSums<Dim> sums =
+        nodal_sums<Dim>(*points, problem.grid, problem.shape, coefficients.half_width);
     areas = HeatSurface<Dim>(*points, problem).areas(*points, coefficients, sums);
   }
   static constexpr int per_axis = Dim == 2 ? 3 : 2;

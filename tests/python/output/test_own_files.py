@@ -146,7 +146,7 @@ name = "fill"
 end = 0.02
 [[stages.add_bodies]]
 name = "b"
-points_per_cell = 1000000
+points_per_cell = 1000
 {box}
 {solid}
 """)

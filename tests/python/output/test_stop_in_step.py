@@ -80,4 +80,4 @@ def test_ctrl_c_ends_a_long_load_step_within_a_second(beam, tmp_path):
     assert time.process_time() - asked[0] < 0.8
     frames = lp.Frames(output)
     assert frames.record["status"] == "stopped"
-    assert list(frames.times) == [0.0]
+    assert frames.times[-1] < 1.0

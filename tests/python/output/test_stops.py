@@ -69,6 +69,8 @@ def test_what_the_progress_raises_comes_after_the_files(heated, tmp_path, monkey
         yield show
 
     monkeypatch.setattr("lapilli.result.progress_bar", bar)
+    heated.time.end = 1000.0  # long enough for the progress to be told
+    heated.heat.time_integration = "explicit"
     with pytest.raises(RuntimeError, match="no bar"):
         lp.run(heated, tmp_path / "run.vtkhdf", every=5.0)
     assert lp.Frames(tmp_path / "run.vtkhdf").record["status"] == "stopped"

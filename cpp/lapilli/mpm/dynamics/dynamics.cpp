@@ -15,12 +15,6 @@
 #include "lapilli/mpm/dynamics/update_points.hpp"
 
 namespace lapilli {
-namespace {
-
-constexpr Index steps_between_looks = 16;  // at the account of energy
-
-}  // namespace
-
 template <int Dim>
 Dynamics<Dim>::Dynamics(Points& points, const DynamicsProblem<Dim>& problem)
     : data_(points, problem) {
@@ -126,7 +120,7 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   wave_speed_ = sums.wave_speed;
   strain_rate_ = std::sqrt(sums.strain) / step.size;
   watch_energy(sums);
-  if ((step.index + 1) % steps_between_looks == 0) {
+  if (open_energy_.is_due()) {
     open_energy_.look(energy_balance(), watch_.largest(), elastic_strain());
   }
   carry_points();

@@ -38,6 +38,7 @@ void OpenEnergy::restore(const std::vector<double>& numbers) {
   gap_ = numbers.at(0);
   reference_ = numbers.at(1);
   strain_ = numbers.at(2);
+  steps_ = static_cast<Index>(numbers.at(3));
 }
 
 }  // namespace lapilli

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lapilli/core/balance.hpp"
+#include "lapilli/core/vector.hpp"
 
 namespace lapilli {
 
@@ -12,16 +13,21 @@ namespace lapilli {
 /// energy of their law.
 class OpenEnergy {
  public:
+  /// Whether to look in this step: in one of 16.
+  bool is_due() { return ++steps_ % 16 == 0; }
   /// `largest`: J, the largest energy so far. `strain`: elastic, where the energy is.
   void look(const Balance& energy, double largest, double strain);
   std::vector<std::string> warnings() const;
 
-  std::vector<double> numbers() const { return {gap_, reference_, strain_}; }
+  std::vector<double> numbers() const {
+    return {gap_, reference_, strain_, static_cast<double>(steps_)};
+  }
   void restore(const std::vector<double>& numbers);
 
  private:
   double gap_ = 0.0, reference_ = 0.0;  // J, largest so far
   double strain_ = 0.0;                 // largest so far
+  Index steps_ = 0;                     // that asked
 };
 
 }  // namespace lapilli

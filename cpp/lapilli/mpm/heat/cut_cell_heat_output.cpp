@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/bridged_gaps.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
 #include "lapilli/mpm/heat/functions_in_time.hpp"
 #include "lapilli/mpm/heat/heat_balance.hpp"
@@ -113,6 +115,9 @@ template <int Dim>
 std::vector<std::string> CutCellHeat<Dim>::warnings() const {
   std::vector<std::string> all =
       slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
+  for (const Solved& one : solved_) {
+    std::ranges::copy(bridged_gaps(problem_, one.part), std::back_inserter(all));
+  }
   if (!is_adaptive()) {
     return all;
   }

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/heat/bridged_gaps.hpp"
 #include "lapilli/mpm/heat/enthalpy_heat.hpp"
 #include "lapilli/mpm/heat/slanted_interfaces.hpp"
 #include "lapilli/mpm/surface/cut_shape.hpp"
@@ -151,7 +153,12 @@ SurfaceView EnthalpyHeat<Dim>::surface() const {
 
 template <int Dim>
 std::vector<std::string> EnthalpyHeat<Dim>::warnings() const {
-  return slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
+  std::vector<std::string> all =
+      slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
+  for (const Solved& one : solved_) {
+    std::ranges::copy(bridged_gaps(problem_, one.part), std::back_inserter(all));
+  }
+  return all;
 }
 
 template <int Dim>

@@ -9,12 +9,11 @@ namespace lapilli {
 namespace {
 
 /// Newton's rounds may end at their bar or at rounding, not where the exchange is not met: RunError
-/// with the place where a residual (J) is left beside what was taken.
+/// with the place where a residual (J) is left beside what was exchanged, `scale` (J).
 template <int Dim>
-void require_solved(const SurfaceTerm::Vector& residual, const SurfaceTerm::Vector& taken,
-                    const Grid<Dim>& grid, const std::vector<std::array<int, 3>>& coordinates) {
-  constexpr double most = 1e-6;  // of what the surface takes up in a step
-  const double scale = taken.cwiseAbs().maxCoeff();
+void require_solved(const SurfaceTerm::Vector& residual, double scale, const Grid<Dim>& grid,
+                    const std::vector<std::array<int, 3>>& coordinates) {
+  constexpr double most = 1e-6;  // of what the surface exchanges in a step
   Eigen::Index worst = 0;
   if (residual.cwiseAbs().maxCoeff(&worst) <= most * scale) {
     return;
@@ -26,7 +25,7 @@ void require_solved(const SurfaceTerm::Vector& residual, const SurfaceTerm::Vect
   }
   throw RunError(message("heat: what the surface exchanges was not found near (", at.transpose(),
                          ") m: off by ", std::abs(residual[worst]) / scale,
-                         " of what it takes up in a step; give a smaller time.step"));
+                         " of it in a step; give a smaller time.step"));
 }
 
 }  // namespace
@@ -202,7 +201,8 @@ typename EnthalpyHeat<Dim>::Vector EnthalpyHeat<Dim>::solve_surface(double size,
     stored = trial;
     residual = next;
   }
-  require_solved(residual, wanted - start, problem_.grid, coordinates_);
+  const double exchanged = std::max((wanted - start).cwiseAbs().maxCoeff(), rounding);
+  require_solved(residual, exchanged, problem_.grid, coordinates_);
   return stored;
 }
 

@@ -31,7 +31,7 @@ NodalOperators<Dim> assemble_operators(const Points& points, const HeatProblem<D
         grid, [&](Index node, double s, const Vec<Dim>&) { lumped[node] += capacity[row] * s; });
   });
   // A shape value of the square of a rounding error touches no node: a point exactly at the end of
-  // its reach. Dropping it loses 1e-14 of a slope.
+  // its reach.
   const double least = 1e-28 * *std::max_element(lumped.begin(), lumped.end());
   std::vector<unsigned char>& active = made.active;
   active.resize(lumped.size());
@@ -58,7 +58,14 @@ NodalOperators<Dim> assemble_operators(const Points& points, const HeatProblem<D
     const Mat<Dim> conductivity =
         points.volume()[row] * coefficients.conductivity[points.body()[row]];
     int count = 0;
+    double touched = 0.0;
+    Vec<Dim> lost = Vec<Dim>::Zero();
     weights.for_each_node(grid, [&](Index node, double s, const Vec<Dim>& g) {
+      if (active[node] != 0) {
+        touched += s;
+      } else {
+        lost += g;
+      }
       place[count] = active[node] != 0 ? made.rows->place(node) : -1;
       for (int axis = 0, rest = count; axis < Dim; ++axis, rest /= PointWeights::support) {
         at[count][axis] = rest % PointWeights::support;
@@ -68,6 +75,14 @@ NodalOperators<Dim> assemble_operators(const Points& points, const HeatProblem<D
       flux[count] = conductivity * g;
       ++count;
     });
+    if (!lost.isZero(0.0)) {
+      // The temperature there is what the point has: linear functions slope up to a node that they
+      // do not touch.
+      for (int a = 0; a < count; ++a) {
+        slope[a] += value[a] / touched * lost;
+        flux[a] = conductivity * slope[a];
+      }
+    }
     for (int a = 0; a < count; ++a) {
       for (int b = a; b < count; ++b) {
         if (place[a] < 0 || place[b] < 0) {

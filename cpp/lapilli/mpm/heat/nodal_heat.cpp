@@ -101,9 +101,8 @@ void NodalHeat<Dim>::assemble() {
   if (HeatSource<Dim>::is_present(problem_.bodies)) {
     source_.emplace(problem_.bodies);
     source_->assign(points_, problem_, coefficients_.half_width);
-    source_->renumber([&](Index node) {
-      return operators.active[node] != 0 ? rows_->place(node) : Index{-1};
-    });
+    source_->renumber(
+        [&](Index node) { return operators.active[node] != 0 ? rows_->place(node) : Index{-1}; });
   }
   if (problem_.settings.time_integration == TimeIntegration::implicit_theta) {
     theta_ =

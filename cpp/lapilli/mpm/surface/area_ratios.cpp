@@ -68,7 +68,7 @@ double AreaRatios::of(std::size_t condition, double found_now) const {
   }
   const double before = found_[condition];
   const double share = found_now > before ? before / found_now : 1.0;
-  return 1.0 + (patch_[condition] - 1.0) * share;
+  return 1.0 + (patch_[condition] - 1.0) * share * share;
 }
 
 double AreaRatios::farthest() const {

@@ -15,8 +15,8 @@ namespace lapilli {
 /// shapes at the start make up for both. What bodies lose belongs to them and goes with them: the
 /// whole surface of bodies that touch, looked at without the others, is scaled to that of their
 /// shapes. What is then still missing of a boundary condition belongs to the place where its region
-/// begins, and counts as much as the surface there at the start is of that of now: a body that has
-/// just entered a region does not carry the error of that moment along.
+/// begins, and fades with the square of the share that the surface there at the start has of that
+/// of now: a body that has just entered a region does not carry the error of that moment along.
 class AreaRatios {
  public:
   /// What the nodes find of some bodies without the others, m^(dim-1).

@@ -34,7 +34,7 @@ const Value* surroundings_of(const HeatBoundary& condition);
 /// The key of the surroundings in scene files; empty for a flux.
 std::string key_of_surroundings(const HeatBoundary& condition);
 bool holds_temperature(const HeatBoundary& condition);
-/// Whether heat goes to and fro between the surface and surroundings that do not hold it.
+/// Whether the surface gives heat to surroundings, or takes it from them, that do not hold it.
 bool exchanges(const HeatBoundary& condition);
 bool needs_absolute(const HeatBoundary& condition);
 bool any_needs_absolute(std::span<const HeatBoundary> conditions);
