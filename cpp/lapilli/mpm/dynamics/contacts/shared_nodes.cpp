@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lapilli/mpm/dynamics/contacts/node_neighbours.hpp"
+#include "lapilli/mpm/dynamics/contacts/surface_columns.hpp"
 #include "lapilli/mpm/dynamics/point_kernel.hpp"
 #include "lapilli/mpm/dynamics/touching_gap.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
@@ -245,8 +246,9 @@ void SharedNodes<Dim>::measure(const DynamicsData<Dim>& data, std::pair<int, int
   for (const SharedNode<Dim>& node : nodes) {
     number.push_back(data.grid.node_index(node.at));
   }
-  const NodeNeighbours<Dim> near(std::move(number), stride);
+  const NodeNeighbours<Dim> near(number, stride);
   const std::vector<Vec<Dim>> normals = normals_of(near, nodes);
+  const SurfaceColumns<Dim> columns(number, stride, normals);
   const SurfaceDepth &depth_a = depth_[body_of_field_[fields.first]],
                      &depth_b = depth_[body_of_field_[fields.second]];
   const double h = data.grid.cell_size();
@@ -264,9 +266,10 @@ void SharedNodes<Dim>::measure(const DynamicsData<Dim>& data, std::pair<int, int
     node.area = std::min(std::abs(grad_a.dot(node.normal)), std::abs(grad_b.dot(node.normal)));
     weighed[k] = node.weight * Vec<2>(-h * (reach_a + reach_b), 1.0);
   });
-  // Smooth, and add the smoothed rest: a mean alone lies off a curved surface.
+  // Smooth, and add the smoothed rest: a mean alone lies off a curved surface. One gap for all
+  // nodes behind each other: with gaps of their own, only one of two rows across a face would push.
   for (int pass = 0; pass < 2; ++pass) {
-    const std::vector<Vec<2>> means = near.smooth(weighed);
+    const std::vector<Vec<2>> means = columns.add(near.smooth(weighed));
     parallel_for(count, [&](Index k) {
       const double mean = means[k][0] / means[k][1];
       nodes[k].gap += mean;
