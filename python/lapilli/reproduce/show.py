@@ -71,11 +71,18 @@ def print_rows(name: str, rows: Sequence[Row], seconds: float) -> None:
             text(row.reference),
             text(row.lapilli),
             row.bar,
-            "ok" if row.ok else "MISSED",
+            verdict(row),
             style=None if row.ok else "bold red",
         )
     console = Console(width=None if sys.stdout.isatty() else 140)
     console.print(table)
+
+
+def verdict(row: Row) -> str:
+    """Whether a row keeps its bar; it is reported where it has none."""
+    if not row.ok:
+        return "MISSED"
+    return "ok" if row.bar and not row.bar.startswith("none") else "reported"
 
 
 def text(value: float | None) -> str:

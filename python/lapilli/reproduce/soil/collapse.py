@@ -28,7 +28,7 @@ CELLS = (0.1, 0.05, 0.025)  # m, of a half width of 1 m
 OVERRUN = 1.35  # times the law
 HALVING_BAR = 10.0  # %, change of the run-out from one grid to the next
 ENERGY_BAR = 0.01  # of the energy released
-REPORTED = ("none: reported", True)  # tall columns, and ten cells to a half width
+REPORTED = ("none", True)  # tall columns, and ten cells to a half width
 
 row = rows_of(NAME)
 

@@ -190,7 +190,7 @@ def area_rows(cell: float) -> list[Row]:
     found = rim_lengths(ring_scene("flux", cell))
     for k, rim in enumerate(("outer", "inner")):
         share = 0.003 if rim == "outer" and cell <= 0.1 else 0.005
-        bar = quotient_within(found[k], 1.0, share) if cell <= 0.2 else ("none: reported", True)
+        bar = quotient_within(found[k], 1.0, share) if cell <= 0.2 else ("none", True)
         rows.append(rim_row(f"default, h = {cell:g} m", rim, found[k], bar, 1.0))
     return rows
 
