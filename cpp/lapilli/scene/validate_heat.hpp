@@ -14,8 +14,9 @@ void validate_heat(const Scene& scene);
 /// Whether heat is solved with the operators of points. The scene has [heat].
 bool is_heat_of_points(const Scene& scene);
 
-/// What is not wrong but looks like a slip: temperatures under radiation that look like degrees
-/// Celsius though nothing was said.
+/// What is not wrong but looks like a slip or costs accuracy: temperatures under radiation that
+/// look like degrees Celsius, melting points and axes, surfaces known by points alone, strong
+/// convection.
 std::vector<std::string> heat_warnings(const Scene& scene);
 
 }  // namespace lapilli

@@ -10,8 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from lapilli._core import RunError, Scene
+from lapilli._core import Scene
 from lapilli.study.cost import Cost
+from lapilli.study.failure import FAILURES, reason_of
 from lapilli.study.norms import field_errors, scalar_errors
 from lapilli.study.observe import Observation, observe
 from lapilli.study.reference import PointsReference
@@ -65,10 +66,8 @@ class Climb:
                 threads=self.threads,
                 output_cost=self.output_cost,
             )
-        except ValueError as error:
-            return self.without_error(f"refused: {error}")
-        except (RunError, MemoryError, OSError) as error:
-            return self.without_error(f"failed: {error}")
+        except FAILURES as error:
+            return self.without_error(reason_of(error))
         return Rung(self.setting, self.cell, seen)
 
     def without_error(self, reason: str) -> Rung:

@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from lapilli._core import RunError, Scene
+from lapilli._core import Scene
 from lapilli.study.cost import Cost
+from lapilli.study.failure import FAILURES, is_passing, reason_of
 from lapilli.study.norms import field_errors, scalar_errors
 from lapilli.study.observe import Observation, observe
 from lapilli.study.quantity import unknown_quantity
 from lapilli.study.settings import Setting
-from lapilli.study.store import wants_memory
 from lapilli.study.truth import Truth
 
 Array = npt.NDArray[Any]
@@ -44,11 +44,6 @@ class Measurement:
         """Plain values."""
         return {**asdict(self), "setting": list(self.setting.changes)}
 
-    @property
-    def lasts(self) -> bool:
-        """Whether another run would come to the same."""
-        return not self.passing
-
     @classmethod
     def from_json(cls, row: dict[str, Any]) -> Measurement:
         """The inverse of `as_json`."""
@@ -75,11 +70,8 @@ class Task:
         """Run and measure. Settings that are refused or fail are results, not errors."""
         try:
             return self._measure()
-        except (ValueError, RunError) as error:
-            kind = "refused" if isinstance(error, ValueError) else "failed"
-            return replace(self.stopped(f"{kind}: {error}"), passing=wants_memory(error))
-        except (MemoryError, OSError) as error:
-            return self.without_error(f"failed: {error}")
+        except FAILURES as error:
+            return replace(self.stopped(reason_of(error)), passing=is_passing(error))
 
     def without_error(self, reason: str) -> Measurement:
         """A measurement that says why there is none; the next study tries it again."""

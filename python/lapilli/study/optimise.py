@@ -106,7 +106,7 @@ def minimize(
     keys, notes = Keys(scene, goal, numbers, "minimize"), list[str]()
     pool = runner or LocalPool()
     place = keys.place(store, notes)
-    kept = Store(place, keys, Outcome.from_json, Outcome.as_json, lambda row: row.lasts)
+    kept = Store(place, keys, Outcome.from_json, Outcome.as_json, lambda row: not row.passing)
     held = {row.setting: row for row in kept.rows}
     order: list[Setting] = []
     while len(order) < samples:

@@ -17,11 +17,6 @@ def key_of(*parts: object) -> str:
     return hashlib.sha256(json.dumps(parts, default=str).encode()).hexdigest()[:16]
 
 
-def wants_memory(error: BaseException) -> bool:
-    """Whether an error says that there is too little memory just now."""
-    return "memory" in str(error)
-
-
 class Store(Generic[Row]):
     """Rows appended one by one, each on a line of its own; those of other studies stay.
 

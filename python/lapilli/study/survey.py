@@ -8,7 +8,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
-from lapilli._core import RunError, Scene
+from lapilli._core import Scene
+from lapilli.study.failure import FAILURES, is_passing, reason_of
 from lapilli.study.fitting import fitted
 from lapilli.study.keys import Keys
 from lapilli.study.observe import names_of, observe
@@ -17,7 +18,7 @@ from lapilli.study.results import Results
 from lapilli.study.runner import LocalPool, Runner
 from lapilli.study.sampling import Values, cases_of
 from lapilli.study.settings import Setting, require_paths
-from lapilli.study.store import Store, wants_memory
+from lapilli.study.store import Store
 
 HISTORY_ROWS = 200  # of a case, where quantities are reduced over time
 
@@ -44,11 +45,6 @@ class Outcome:
         """Plain values."""
         return {**asdict(self), "setting": list(self.setting.changes)}
 
-    @property
-    def lasts(self) -> bool:
-        """Whether another run would come to the same."""
-        return not self.passing
-
     @classmethod
     def from_json(cls, row: dict[str, Any]) -> Outcome:
         """The inverse of `as_json`."""
@@ -70,11 +66,8 @@ class Case:
         """Run; cases that are refused or fail are results, not errors."""
         try:
             return self._run()
-        except (ValueError, RunError) as error:
-            kind = "refused" if isinstance(error, ValueError) else "failed"
-            return Outcome(self.setting, reason=f"{kind}: {error}", passing=wants_memory(error))
-        except (MemoryError, OSError) as error:
-            return self.without_error(f"failed: {error}")
+        except FAILURES as error:
+            return Outcome(self.setting, reason=reason_of(error), passing=is_passing(error))
 
     def without_error(self, reason: str) -> Outcome:
         """A case without numbers, which is tried again by the next study."""
@@ -150,7 +143,7 @@ def study(
     wanted, fields, units = quantities_of(quantities, scene, settings)
     keys = Keys(scene, [str(one) for one in wanted])
     place = keys.place(store, notes)
-    kept = Store(place, keys, Outcome.from_json, Outcome.as_json, lambda row: row.lasts)
+    kept = Store(place, keys, Outcome.from_json, Outcome.as_json, lambda row: not row.passing)
     held = {row.setting: row for row in kept.rows}
     left = [Case(scene, one, wanted, fields, threads) for one in settings if one not in held]
     for outcome in (runner or LocalPool()).run(left):

@@ -88,7 +88,9 @@ def tradeoff(
     told = named(reference), contents_of(reference)
     keys = Keys(scene, told, moments, names, threads, norm)
     place = keys.place(store, notes, reference)
-    kept = Store(place, keys, Measurement.from_json, Measurement.as_json, lambda row: row.lasts)
+    kept = Store(
+        place, keys, Measurement.from_json, Measurement.as_json, lambda row: not row.passing
+    )
     wanted = [(setting, repeat) for repeat in range(repeats) for setting in settings]
     done = [m for m in kept.rows if (m.setting, m.repeat) in set(wanted)]
     known = {(m.setting, m.repeat) for m in done}

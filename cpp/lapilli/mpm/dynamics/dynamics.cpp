@@ -15,6 +15,7 @@
 #include "lapilli/mpm/dynamics/update_points.hpp"
 
 namespace lapilli {
+
 template <int Dim>
 Dynamics<Dim>::Dynamics(Points& points, const DynamicsProblem<Dim>& problem)
     : data_(points, problem) {

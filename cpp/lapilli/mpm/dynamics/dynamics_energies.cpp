@@ -73,7 +73,7 @@ double Dynamics<Dim>::elastic_strain() const {
 template <int Dim>
 OpenEnergy Dynamics<Dim>::energy_looked_at() const {
   OpenEnergy looked_at = open_energy_;
-  if (const double reference = open_energy_.numbers().at(1); reference > 0.0) {
+  if (looked_at.has_looked()) {
     looked_at.look(energy_balance(), watch_.largest(), elastic_strain());
   }
   return looked_at;

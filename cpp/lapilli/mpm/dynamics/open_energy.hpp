@@ -17,6 +17,8 @@ class OpenEnergy {
   bool is_due() { return ++steps_ == 16 || steps_ % 64 == 0; }
   /// `largest`: J, the largest energy so far. `strain`: elastic, where the energy is.
   void look(const Balance& energy, double largest, double strain);
+  /// Whether a run has been looked at while there was energy.
+  bool has_looked() const { return reference_ > 0.0; }
   std::vector<std::string> warnings() const;
 
   std::vector<double> numbers() const {

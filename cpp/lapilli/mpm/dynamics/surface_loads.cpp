@@ -1,7 +1,6 @@
 #include "lapilli/mpm/dynamics/surface_loads.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/cell_sums.hpp"
@@ -38,12 +37,6 @@ void project_rows(const DynamicsData<Dim>& data, const NodeField<Dim>& field,
 
 }  // namespace
 
-std::string name_of_law(const DynamicsBoundary& law, std::size_t index) {
-  return std::visit(
-      [&](const auto& l) { return l.name.empty() ? message(l.kind, " ", index + 1) : l.name; },
-      law);
-}
-
 template <int Dim>
 SurfaceLoads<Dim>::SurfaceLoads(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem)
     : laws_(problem.settings.boundaries),
@@ -53,11 +46,7 @@ SurfaceLoads<Dim>::SurfaceLoads(const DynamicsData<Dim>& data, const DynamicsPro
       contact_(data.grid, contact_faces(data.walls)),
       outside_(data.grid, static_cast<int>(problem.bodies.size())),
       version_(data.points.version()) {
-  for (const DynamicsBoundary& law : laws_) {
-    if (const Shape* region = region_of(law)) {
-      check(*region, Dim);
-    }
-  }
+  check_regions(laws_, Dim);
   outside_.start(data.points, problem.distance);
   if (problem.start != nullptr) {
     go_on(*problem.start);
@@ -157,11 +146,7 @@ void SurfaceLoads<Dim>::find_surface(const DynamicsData<Dim>& data) {
       nodes.normal.push_back(areas.normal[part.row]);
       nodes.position.push_back(areas.position[part.row]);
     }
-    const double ratio =
-        ratios_.of(law, std::accumulate(nodes.area.begin(), nodes.area.end(), 0.0));
-    for (double& area : nodes.area) {
-      area *= ratio;
-    }
+    ratios_.scale(law, nodes.area);
     nodes.value.resize(nodes.node.size());
     nodes.force.resize(nodes.node.size());
   }

@@ -8,6 +8,7 @@
 #include "lapilli/mpm/dynamics/load_shares.hpp"
 #include "lapilli/mpm/surface/area_ratios.hpp"
 #include "lapilli/mpm/surface/nodal_surface.hpp"
+#include "lapilli/mpm/surface/surface_conditions.hpp"
 #include "lapilli/mpm/surface/surface_view.hpp"
 #include "lapilli/mpm/surface/wall_contact.hpp"
 
@@ -83,13 +84,7 @@ class SurfaceLoads {
   AreaRatios ratios_;                     // of tractions
 };
 
-/// The region of a load, null when it takes what is left.
-const Shape* region_of(const DynamicsBoundary& law);
-std::vector<const Shape*> regions_of(const std::vector<DynamicsBoundary>& laws);
 /// What of the faces of the grid is a wall.
 ContactFaces contact_faces(const Walls& walls);
-
-/// "pressure 2" or the name the user gave.
-std::string name_of_law(const DynamicsBoundary& law, std::size_t index);
 
 }  // namespace lapilli

@@ -12,18 +12,6 @@ constexpr int smoothing = 2;  // passes over the fraction, for its normals
 
 }  // namespace
 
-const Shape* region_of(const DynamicsBoundary& law) {
-  return std::visit([](const auto& l) { return l.region ? &*l.region : nullptr; }, law);
-}
-
-std::vector<const Shape*> regions_of(const std::vector<DynamicsBoundary>& laws) {
-  std::vector<const Shape*> regions;
-  for (const DynamicsBoundary& law : laws) {
-    regions.push_back(region_of(law));
-  }
-  return regions;
-}
-
 ContactFaces contact_faces(const Walls& walls) {
   ContactFaces faces;
   for (std::size_t face = 0; face < walls.size(); ++face) {
@@ -59,10 +47,7 @@ AreaRatios::Found SurfaceLoads<Dim>::areas_without_others(
       regions_of(laws_));
   AreaRatios::Found found{std::accumulate(areas.area.begin(), areas.area.end(), 0.0), {}};
   for (const auto& of_law : parts) {
-    found.by_condition.push_back(std::accumulate(of_law.begin(), of_law.end(), 0.0,
-                                                 [&](double sum, const SurfacePart<Dim>& part) {
-                                                   return sum + part.share * areas.area[part.row];
-                                                 }));
+    found.by_condition.push_back(lapilli::area_of<Dim>(of_law, areas.area));
   }
   return found;
 }

@@ -29,10 +29,8 @@ std::vector<std::string> SurfaceLoads<Dim>::warnings() const {
   constexpr double kept = 0.8;  // share of the surface at the start
   std::vector<std::string> all;
   for (std::size_t law = 0; law < laws_.size(); ++law) {
-    const bool has_region =
-        std::visit([](const auto& l) { return l.region.has_value(); }, laws_[law]);
     const double now = area_of(law);
-    if (has_region && now < kept * start_area_[law]) {
+    if (region_of(laws_[law]) != nullptr && now < kept * start_area_[law]) {
       all.push_back(message("dynamics.boundaries.", law, " (", name_of_law(laws_[law], law),
                             ") acts on ", std::llround(100.0 * now / start_area_[law]),
                             " % of the surface that it acted on at the start: its region stays "

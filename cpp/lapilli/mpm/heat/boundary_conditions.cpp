@@ -11,11 +11,7 @@ template <int Dim>
 BoundaryConditions<Dim>::BoundaryConditions(const std::vector<HeatBoundary>& laws,
                                             double absolute_zero)
     : laws_(laws), nodes_(laws.size()), account_(laws.size()), zero_(absolute_zero) {
-  for (const HeatBoundary& law : laws_) {
-    if (const Shape* region = region_of(law)) {
-      check(*region, Dim);
-    }
-  }
+  check_regions(laws_, Dim);
 }
 
 template <int Dim>
@@ -35,12 +31,10 @@ template <int Dim>
 std::vector<double> BoundaryConditions<Dim>::areas_of(
     const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
     const std::function<std::vector<SurfacePlace<Dim>>()>& places) const {
-  std::vector<double> found(laws_.size(), 0.0);
+  std::vector<double> found;
   const auto parts = divide_surface<Dim>(grid, areas, places, regions_of(laws_));
   for (std::size_t law = 0; law < laws_.size(); ++law) {
-    for (const SurfacePart<Dim>& part : parts[law]) {
-      found[law] += part.share * used_by(law, areas)[part.row];
-    }
+    found.push_back(area_of<Dim>(parts[law], used_by(law, areas)));
   }
   return found;
 }
@@ -56,7 +50,6 @@ void BoundaryConditions<Dim>::assign(
     nodes.area.clear();
     nodes.normal.clear();
     nodes.position.clear();
-    double found = 0.0;
     for (const SurfacePart<Dim>& part : parts[law]) {
       const double area = part.share * used_by(law, areas)[part.row];
       if (area != 0.0) {
@@ -64,13 +57,9 @@ void BoundaryConditions<Dim>::assign(
         nodes.area.push_back(area);
         nodes.normal.push_back(areas.normal[part.row]);
         nodes.position.push_back(areas.position[part.row]);
-        found += area;
       }
     }
-    const double ratio = ratios_.of(law, found);
-    for (double& area : nodes.area) {
-      area *= ratio;
-    }
+    ratios_.scale(law, nodes.area);
     nodes.state.resize(nodes.node.size());
     nodes.rate.resize(nodes.node.size());
     nodes.slope.resize(nodes.node.size());
@@ -124,11 +113,7 @@ void BoundaryConditions<Dim>::place_probes(
 template <int Dim>
 void BoundaryConditions<Dim>::require_all_used() const {
   for (std::size_t law = 0; law < laws_.size(); ++law) {
-    require(!nodes_[law].node.empty(), "heat.boundaries.", law, " (", name_of_law(laws_[law], law),
-            ") selects no surface: ",
-            region_of(laws_[law]) != nullptr
-                ? "its region covers none that an earlier condition left"
-                : "earlier conditions took all of it");
+    require_surface(laws_, law, !nodes_[law].node.empty());
   }
 }
 

@@ -333,11 +333,7 @@ std::vector<HeatPart<Dim>> make_parts(const Points& points, const HeatProblem<Di
     check(shapes.back(), Dim);
   }
   const auto& laws = problem.settings.boundaries;
-  for (const HeatBoundary& law : laws) {
-    if (const Shape* region = region_of(law)) {
-      check(*region, Dim);
-    }
-  }
+  check_regions(laws, Dim);
   found.assign(shapes.size(), {});
   const PairEntries resisting = resisting_pairs(problem.bodies, problem.settings.contacts);
   std::vector<CutBody<Dim>> cut;
@@ -347,12 +343,9 @@ std::vector<HeatPart<Dim>> make_parts(const Points& points, const HeatProblem<Di
     touching.push_back(cut.back().touching);
   }
   for (std::size_t law = 0; law < laws.size(); ++law) {
-    require(std::any_of(cut.begin(), cut.end(),
-                        [&](const CutBody<Dim>& body) { return !body.pieces[law].empty(); }),
-            "heat.boundaries.", law, " (", name_of_law(laws[law], law), ") selects no surface: ",
-            region_of(laws[law]) != nullptr
-                ? "its region covers none that an earlier condition left"
-                : "earlier conditions took all of it");
+    require_surface(laws, law, std::ranges::any_of(cut, [&](const CutBody<Dim>& body) {
+                      return !body.pieces[law].empty();
+                    }));
   }
   const std::vector<std::vector<std::size_t>> groups = groups_of(touching);
   std::vector<ResistingContact> touch = contacts_of<Dim>(problem, resisting, cut, groups);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lapilli/core/parallel.hpp"
+#include "lapilli/mpm/heat/functions_in_time.hpp"
 #include "lapilli/mpm/heat/particle_heat.hpp"
 
 namespace lapilli {
@@ -14,9 +15,7 @@ template <int Dim>
 bool bears_long_steps(const HeatProblem<Dim>& problem, HeatTransfer transfer) {
   return !problem.fixed_steps &&
          (transfer == HeatTransfer::affine || transfer == HeatTransfer::flip) &&
-         std::ranges::none_of(problem.settings.boundaries, has_function) &&
-         std::ranges::none_of(problem.bodies,
-                              [](const HeatBody& body) { return body.source.is_function(); });
+         !has_functions(problem);
 }
 
 }  // namespace

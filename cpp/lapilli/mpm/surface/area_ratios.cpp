@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 namespace lapilli {
 namespace {
@@ -62,13 +63,17 @@ void AreaRatios::scale(NodalAreas<Dim>& areas, const OutsideCells<Dim>& cells) c
   }
 }
 
-double AreaRatios::of(std::size_t condition, double found_now) const {
+void AreaRatios::scale(std::size_t condition, std::span<double> area) const {
   if (patch_.empty()) {
-    return 1.0;
+    return;
   }
   const double before = found_[condition];
-  const double share = found_now > before ? before / found_now : 1.0;
-  return 1.0 + (patch_[condition] - 1.0) * share * share;
+  const double now = std::accumulate(area.begin(), area.end(), 0.0);
+  const double share = now > before ? before / now : 1.0;
+  const double ratio = 1.0 + (patch_[condition] - 1.0) * share * share;
+  for (double& part : area) {
+    part *= ratio;
+  }
 }
 
 double AreaRatios::farthest() const {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,8 @@ class AreaRatios {
   /// Scale areas by what the bodies beside them lose.
   template <int Dim>
   void scale(NodalAreas<Dim>& areas, const OutsideCells<Dim>& cells) const;
-  /// The ratio for a condition that finds this much scaled area now.
-  double of(std::size_t condition, double found_now) const;
+  /// Scale what a condition finds of those areas now.
+  void scale(std::size_t condition, std::span<double> area) const;
   /// The farthest ratio from 1 of area at the start, of shapes over what nodes found.
   double farthest() const;
 

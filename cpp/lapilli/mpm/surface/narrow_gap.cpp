@@ -6,6 +6,7 @@
 
 #include "lapilli/core/in_space.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/geometry/checks.hpp"
 
 namespace lapilli {
 namespace {
@@ -57,12 +58,8 @@ bool share_a_node(const Grid<Dim>& grid, const Vec3& one, const Vec3& other) {
 }  // namespace
 
 std::string NarrowGap::in_words(int axes) const {
-  std::string place;
-  for (int axis = 0; axis < axes; ++axis) {
-    place += message(axis > 0 ? ", " : "", middle[axis]);
-  }
-  return message("a gap of ", width, " m at (", place,
-                 ") m is bridged, since its sides share nodes: cells of at most ", 0.5 * width,
+  return message("a gap of ", width, " m at ", text_of(middle, axes),
+                 " m is bridged, since its sides share nodes: cells of at most ", 0.5 * width,
                  " m keep it open");
 }
 

@@ -40,6 +40,16 @@ struct SurfacePart {
   Vec<Dim> vector;  // part of the area vector, m^(dim-1)
 };
 
+/// The area of some parts together, m^(dim-1); `area` is by row.
+template <int Dim>
+double area_of(std::span<const SurfacePart<Dim>> parts, std::span<const double> area) {
+  double sum = 0.0;
+  for (const SurfacePart<Dim>& part : parts) {
+    sum += part.share * area[part.row];
+  }
+  return sum;
+}
+
 /// Divide the surface among regions: the first that covers a place has it, and null stands for all
 /// that is left. A node at the edge of a region is shared in proportion: by a ramp as wide as a
 /// cell looks from the edge, so that the shares of a flat surface add up to the area inside; a node

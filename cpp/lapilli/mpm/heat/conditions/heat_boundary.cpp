@@ -16,24 +16,13 @@ static_assert(are_whole<HeatBoundary>);
 
 }  // namespace
 
-const Shape* region_of(const HeatBoundary& condition) {
-  return std::visit([](const auto& one) { return one.region ? &*one.region : nullptr; }, condition);
-}
-
-std::vector<const Shape*> regions_of(const std::vector<HeatBoundary>& conditions) {
-  std::vector<const Shape*> regions;
-  for (const HeatBoundary& condition : conditions) {
-    regions.push_back(region_of(condition));
-  }
-  return regions;
-}
-
-std::string name_of_law(const HeatBoundary& condition, std::size_t index) {
-  return std::visit(
-      [&](const auto& one) {
-        return one.name.empty() ? message(one.kind, " ", index + 1) : one.name;
-      },
-      condition);
+void require_surface(const std::vector<HeatBoundary>& conditions, std::size_t index,
+                     bool is_there) {
+  require(is_there, "heat.boundaries.", index, " (", name_of_law(conditions[index], index),
+          ") selects no surface: ",
+          region_of(conditions[index]) != nullptr
+              ? "its region covers none that an earlier condition left"
+              : "earlier conditions took all of it");
 }
 
 std::vector<const char*> modelled_by(std::span<const HeatBoundary> conditions) {

@@ -9,6 +9,7 @@
 #include "lapilli/mpm/heat/conditions/flux.hpp"
 #include "lapilli/mpm/heat/conditions/prescribed_temperature.hpp"
 #include "lapilli/mpm/heat/conditions/radiation.hpp"
+#include "lapilli/mpm/surface/surface_conditions.hpp"
 
 namespace lapilli {
 
@@ -16,11 +17,8 @@ namespace lapilli {
 /// condition_parts.hpp; what is asked of any of them, below.
 using HeatBoundary = std::variant<Flux, Convection, Radiation, PrescribedTemperature>;
 
-/// The region of a condition, null when it takes what is left.
-const Shape* region_of(const HeatBoundary& condition);
-std::vector<const Shape*> regions_of(const std::vector<HeatBoundary>& conditions);
-/// "convection 2" or the name the user gave.
-std::string name_of_law(const HeatBoundary& condition, std::size_t index);
+/// Throws std::invalid_argument that says why a condition selects no surface, unless it does.
+void require_surface(const std::vector<HeatBoundary>& conditions, std::size_t index, bool is_there);
 /// What `check` says of these: each kind once, in the order of the list.
 std::vector<const char*> modelled_by(std::span<const HeatBoundary> conditions);
 
