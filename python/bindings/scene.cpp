@@ -2,7 +2,9 @@
 
 #include "bindings.hpp"
 #include "convert_scene.hpp"
+#include "lapilli/core/interruption.hpp"
 #include "lapilli/scene/tree_reader.hpp"
+#include "simulation.hpp"
 
 namespace pybind11::detail {
 
@@ -19,6 +21,7 @@ constexpr const char* places_name = "_places";
 template <class Work>
 auto without_gil(const Work& work) {
   const py::gil_scoped_release release;
+  const Interruption interruption(raise_signals);
   return work();
 }
 
@@ -133,7 +136,7 @@ void bind_files(py::class_<Record<Scene>>& bound) {
           ("save" + self +
            ", path: str | os.PathLike[str]) -> None\n\nWrite the scene as TOML. Functions and "
            "arrays, which no file "
-           "holds, are a ValueError.")
+           "holds, are a ValueError; what cannot be written is an OutputError.")
               .c_str())
       .def(
           "to_toml",

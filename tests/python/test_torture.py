@@ -17,7 +17,6 @@ TOOL = Path(__file__).resolve().parents[2] / "tools" / "torture.py"
 @pytest.mark.parametrize(
     "attack", ["kills", "damages", "full_disks", "pairs", "threads", "scenes", "growth"]
 )
-@pytest.mark.slow
 def test_nothing_breaks(attack):
     if not os.environ.get("LAPILLI_BUILD"):
         pytest.skip("LAPILLI_BUILD does not name a build folder with the executable")

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -188,6 +189,21 @@ void write_text(const std::filesystem::path& path, std::string_view text) {
   AtomicFile file(path);
   file.append(std::as_bytes(std::span(text)));
   file.commit();
+}
+
+void write_whole(const std::filesystem::path& path, std::string_view text) {
+  std::error_code error;
+  const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status) ||
+      std::filesystem::is_directory(status)) {
+    write_text(target.empty() ? path : target, text);
+    return;
+  }
+  std::ofstream device(path, std::ios::binary | std::ios::app);
+  if (!(device << text << std::flush)) {
+    throw OutputError(message("cannot write ", path.string()));
+  }
 }
 
 std::filesystem::path with_ending(const std::filesystem::path& path, std::string_view ending) {

@@ -64,6 +64,10 @@ void rename_durably(const std::filesystem::path& from, const std::filesystem::pa
 /// Write `text` as a whole file, all at once.
 void write_text(const std::filesystem::path& path, std::string_view text);
 
+/// The same where a user says: a link keeps its name and its target is written, a device or a pipe
+/// takes the bytes.
+void write_whole(const std::filesystem::path& path, std::string_view text);
+
 /// `path` with `ending` put after its whole name: run.vtkhdf -> run.vtkhdf.data.
 std::filesystem::path with_ending(const std::filesystem::path& path, std::string_view ending);
 

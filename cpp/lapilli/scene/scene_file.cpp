@@ -1,8 +1,8 @@
 #include "lapilli/scene/scene_file.hpp"
 
 #include <filesystem>
-#include <fstream>
 
+#include "lapilli/output/file.hpp"
 #include "lapilli/scene/emit.hpp"
 #include "lapilli/scene/toml_source.hpp"
 #include "lapilli/scene/tree_reader.hpp"
@@ -27,19 +27,7 @@ std::string to_toml(const Scene& scene, Members members) {
 }
 
 void save_scene(const Scene& scene, const std::string& path, Members members) {
-  const std::string text = to_toml(scene, members);
-  const std::string unfinished = path + ".tmp";
-  std::ofstream file(unfinished, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) {
-    std::filesystem::rename(unfinished, path, error);
-  }
-  if (!file || error) {
-    std::filesystem::remove(unfinished, error);
-    require(false, path, ": the scene cannot be written there");
-  }
+  write_whole(path, to_toml(scene, members));
 }
 
 std::string to_json(const Scene& scene) {

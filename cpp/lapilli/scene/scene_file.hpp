@@ -20,7 +20,7 @@ Scene load_scene(const std::string& path);
 /// name for functions and arrays, which no file holds.
 std::string to_toml(const Scene& scene, Members members = Members::changed);
 
-/// Write the scene as TOML, whole or not at all.
+/// Write the scene as TOML, whole or not at all. Throws OutputError where that cannot be.
 void save_scene(const Scene& scene, const std::string& path, Members members = Members::changed);
 
 /// Every setting with defaults filled in, as JSON; functions and arrays are named, not shown.

@@ -2,15 +2,65 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <fstream>
+#include <istream>
+#include <streambuf>
 
+#include "lapilli/core/interruption.hpp"
 #include "lapilli/core/require.hpp"
 
 namespace lapilli {
 namespace {
 
 constexpr std::uintmax_t largest_text = std::uintmax_t{1} << 30;  // bytes
+
+/// Hands out a text in pieces, so that reading a long one can be stopped.
+class TextInPieces : public std::streambuf {
+ public:
+  explicit TextInPieces(std::string_view text) : text_(text) {}
+
+  /// The parser makes a mistake of the text of whatever comes through it.
+  void rethrow_what_stopped() const {
+    if (stopped_) {
+      std::rethrow_exception(stopped_);
+    }
+  }
+
+ private:
+  int_type underflow() override {
+    try {
+      allow_interruption();
+    } catch (...) {
+      stopped_ = std::current_exception();
+      throw;
+    }
+    const std::string_view piece = text_.substr(next_, std::size_t{1} << 16);
+    next_ += piece.size();
+    char* const begin = const_cast<char*>(piece.data());  // nobody writes here
+    setg(begin, begin, begin + piece.size());
+    return piece.empty() ? traits_type::eof() : traits_type::to_int_type(*begin);
+  }
+
+  // The parser looks for a byte-order mark and goes back.
+  pos_type seekoff(off_type by, std::ios::seekdir from, std::ios::openmode which) override {
+    const auto here = static_cast<off_type>(next_) - (egptr() - gptr());
+    return from == std::ios::end ? pos_type(off_type(-1))
+                                 : seekpos(from == std::ios::cur ? here + by : by, which);
+  }
+
+  pos_type seekpos(pos_type to, std::ios::openmode) override {
+    next_ = std::min(static_cast<std::size_t>(to), text_.size());
+    setg(nullptr, nullptr, nullptr);
+    return to;
+  }
+
+  std::string_view text_;
+  std::size_t next_ = 0;
+  std::exception_ptr stopped_;
+};
 
 Place place_of(const toml::source_region& region) {
   return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
@@ -27,6 +77,7 @@ Tree tree_of(const toml::node& node) {
     tree.value = std::move(entries);
   } else if (const auto* array = node.as_array()) {
     Tree::Array elements;
+    allow_interruption();
     for (auto&& element : *array) {
       elements.push_back(tree_of(element));
     }
@@ -48,10 +99,14 @@ Tree tree_of(const toml::node& node) {
 }  // namespace
 
 Tree parse_toml(std::string_view text, const std::string& name) {
+  TextInPieces pieces(text);
+  std::istream stream(&pieces);
+  stream.exceptions(std::ios::badbit);
   try {
-    const toml::table table = toml::parse(text, name);
+    const toml::table table = toml::parse(stream, name);
     return tree_of(table);
   } catch (const toml::parse_error& error) {
+    pieces.rethrow_what_stopped();
     const Place place = place_of(error.source());
     throw std::invalid_argument(message(name, ":", place.line, ":", place.column,
                                         ": no valid TOML: ", std::string(error.description())));

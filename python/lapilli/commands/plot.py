@@ -10,7 +10,7 @@ from cyclopts import Parameter
 from lapilli.commands.codes import FINISHED
 from lapilli.commands.options import Json, Quiet, Verbose
 from lapilli.commands.wrote import wrote
-from lapilli.own_picture import require_own_picture
+from lapilli.own_output import require_own_picture
 from lapilli.whole_file import require_apart
 
 if TYPE_CHECKING:

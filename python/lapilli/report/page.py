@@ -10,6 +10,7 @@ from pathlib import Path
 
 from lapilli.frames import Frames
 from lapilli.html import details, table
+from lapilli.own_output import require_own_page
 from lapilli.plot.style import Style
 from lapilli.report.content import (
     balance_rows,
@@ -38,6 +39,8 @@ def write_report(
     ----------
     source
         The frames, with the run record beside them.
+    save
+        The page; a file at the default name that no report wrote is refused (ValueError).
     fields
         What is drawn; up to three usual fields unless given.
     pictures
@@ -47,6 +50,8 @@ def write_report(
     if frames.record is None:
         raise ValueError(f"{frames.record_path} is missing: a report is made from the run record")
     target = Path(save) if save is not None else frames.path.with_suffix(".html")
+    if save is None:
+        require_own_page(target)
     write_text(target, page(frames, fields, pictures, style or Style()))
     return target
 

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
-from lapilli.own_picture import require_own_picture
+from lapilli.own_output import require_own_picture
 from lapilli.whole_file import require_apart
 
 TABLE = {"status", "reason"}  # columns of every table of a study

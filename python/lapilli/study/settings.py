@@ -89,10 +89,16 @@ def quoted(value: Any) -> str:
     return json.dumps(value) if isinstance(value, str) else as_toml(value)
 
 
-def settings_of(vary: Mapping[str, Sequence[Any]]) -> list[Setting]:
-    """Every combination of the values, the last path changing fastest."""
+Vary = Mapping[str, Sequence[Any]]
+
+
+def settings_of(vary: Vary | Sequence[Vary]) -> list[Setting]:
+    """Every combination of the values, the last path changing fastest; of several mappings, those
+    of the first, then what the others add."""
     if not vary:
         raise ValueError("nothing to vary: give paths and values, as in grid.cell=0.4,0.2")
+    if not isinstance(vary, Mapping):
+        return list(dict.fromkeys(setting for one in vary for setting in settings_of(one)))
     paths = list(vary)
     return [
         Setting(tuple(zip(paths, (as_toml(value) for value in values), strict=True)))

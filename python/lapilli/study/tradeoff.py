@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
 
 from lapilli import _core
 from lapilli._core import Scene
@@ -15,7 +14,7 @@ from lapilli.study.norms import NORMS
 from lapilli.study.observe import names_of
 from lapilli.study.quantity import parted
 from lapilli.study.runner import LocalPool, Runner
-from lapilli.study.settings import Setting, require_paths, settings_of
+from lapilli.study.settings import Setting, Vary, require_paths, settings_of
 from lapilli.study.store import Store
 from lapilli.study.table import Table
 from lapilli.study.truth import Given, named, truth_of
@@ -27,7 +26,7 @@ Report = Callable[[Measurement, int, int], None]
 
 def tradeoff(
     scene: Scene | str | os.PathLike[str],
-    vary: Mapping[str, Sequence[Any]],
+    vary: Vary | Sequence[Vary],
     reference: Given | Mapping[str, Given] = None,
     *,
     times: Sequence[float] | None = None,
@@ -46,7 +45,8 @@ def tradeoff(
     Parameters
     ----------
     vary
-        Paths of members and the values to try: ``{"grid.cell": [0.4, 0.2]}``. Cells that do not
+        Paths of members and the values to try: ``{"grid.cell": [0.4, 0.2]}``. Several such
+        mappings are tried one after the other, each with all of its combinations. Cells that do not
         divide the grid are replaced by the nearest that do, or the grid grows; the table's notes
         say which.
     reference

@@ -63,6 +63,18 @@ def test_a_report_without_a_record_says_what_is_missing(falling: lp.Result, tmp_
         write_report(tmp_path / "block.vtkhdf")
 
 
+def test_pages_of_others_are_not_written_over(falling: lp.Result, tmp_path: Path) -> None:
+    for file in falling.output.parent.glob("block.*"):
+        shutil.copy(file, tmp_path)
+    page = tmp_path / "block.html"
+    page.write_text("<title>notes of mine</title>")
+    with pytest.raises(ValueError, match=r"block\.html is no page that lapilli wrote"):
+        write_report(tmp_path / "block.vtkhdf", pictures=1)
+    assert page.read_text() == "<title>notes of mine</title>"
+    assert write_report(tmp_path / "block.vtkhdf", page, pictures=1) == page  # asked for by name
+    assert write_report(tmp_path / "block.vtkhdf", pictures=1) == page  # its like
+
+
 def test_warnings_and_hostile_titles_are_text(falling: lp.Result, tmp_path: Path) -> None:
     for file in falling.output.parent.glob("block.*"):
         shutil.copy(file, tmp_path)

@@ -74,6 +74,49 @@ def test_workers_have_a_range() -> None:
         LocalPool(0)
 
 
+LONG = """
+import os, time
+from lapilli.study import LocalPool
+
+class Nap:
+    def __init__(self, log):
+        self.log = log
+    def __call__(self):
+        with open(self.log, "a") as file:
+            file.write(f"{os.getpid()}\\n")
+        time.sleep(600)
+    def without_error(self, reason):
+        return reason
+
+list(LocalPool(2).run([Nap("log"), Nap("log")]))
+"""
+
+
+def test_workers_end_with_a_study_that_was_killed(tmp_path: Path) -> None:
+    study = subprocess.Popen([sys.executable, "-c", LONG], cwd=tmp_path)
+    log = tmp_path / "log"
+    workers: list[int] = []
+    while len(workers) < 2:
+        assert study.poll() is None
+        time.sleep(0.05)
+        workers = [int(line) for line in log.read_text().split()] if log.exists() else []
+    study.kill()
+    study.wait()
+    waited = time.monotonic() + 30
+    while any(is_running(worker) for worker in workers):
+        assert time.monotonic() < waited, "workers are left behind"
+        time.sleep(0.1)
+
+
+def is_running(process: int) -> bool:
+    """Whether it does anything still; who is dead waits for nobody but its parent."""
+    try:
+        state = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
+    except OSError:
+        return False
+    return state not in "ZX"
+
+
 SCRIPT = """
 import multiprocessing
 import sys
