@@ -11,25 +11,32 @@ NAME.jsonl: a scan that was stopped goes on. The exit code is 1 where a default 
 from __future__ import annotations
 
 import argparse
+import itertools
 import json
 import math
 import sys
-import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
+
+import tomllib
 
 from lapilli import Scene, examples
 from lapilli.study import LocalPool, tradeoff
 from lapilli.study.settings import Setting
 from lapilli.study.show import report
-from lapilli.study.table import Row, Table, cost_of, error_of
+from lapilli.study.table import Table, cost_of, error_of
 from lapilli.study.variants import variants_of
 
 SCENES = Path(__file__).with_suffix(".toml")
 BAR = 1.5  # of the cost of the front
 
 Curve = list[tuple[float, float]]  # error and cost, coarse to fine
+
+
+def scenes() -> dict[str, dict[str, Any]]:
+    """What is scanned, by name."""
+    return tomllib.loads(SCENES.read_text())
 
 
 def changes_of(texts: Sequence[str]) -> dict[str, list[str]]:
@@ -43,7 +50,7 @@ def measured(given: dict[str, Any], store: Path, workers: int) -> Table:
     for change in given.get("set", []):
         scene = scene.set(change)
     cells = {"grid.cell": given["cells"]}
-    others = [dict((path, [value]) for path, value in one.changes) for one in variants_of(scene)]
+    others = [{path: [value] for path, value in one.changes} for one in variants_of(scene)]
     others += [changes_of(texts) for texts in given.get("others", [])]
     return tradeoff(
         scene,
@@ -70,7 +77,7 @@ def curves_of(table: Table) -> dict[Setting, Curve]:
 def cost_at(curve: Curve, error: float) -> float:
     """What an error costs along a curve, between its cells on logarithms; infinite beyond."""
     best = min((cost for found, cost in curve if found <= error), default=math.inf)
-    for (coarse, cheap), (fine, dear) in zip(curve, curve[1:], strict=False):
+    for (coarse, cheap), (fine, dear) in itertools.pairwise(curve):
         if fine < error < coarse:
             share = math.log(coarse / error) / math.log(coarse / fine)
             best = min(best, cheap * (dear / cheap) ** share)
@@ -102,16 +109,15 @@ def compared(table: Table) -> list[dict[str, Any]]:
 def main() -> int:
     """Scan the scenes that were asked for."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    scenes = tomllib.loads(SCENES.read_text())
-    parser.add_argument("--only", choices=scenes, action="append", help="scenes; all if none")
+    parser.add_argument("--only", choices=scenes(), action="append", help="scenes; all if none")
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--output", type=Path, default=Path("build/fronts"))
     given = parser.parse_args()
     given.output.mkdir(parents=True, exist_ok=True)
     beyond = 0
-    for name in given.only or scenes:
+    for name in given.only or scenes():
         print(f"{name}:", file=sys.stderr, flush=True)
-        table = measured(scenes[name], given.output / f"{name}.jsonl", given.workers)
+        table = measured(scenes()[name], given.output / f"{name}.jsonl", given.workers)
         table.to_csv(given.output / f"{name}.csv")
         table.picture(given.output / f"{name}.png")
         rows = compared(table)
