@@ -18,12 +18,17 @@ WIDE = 44  # letters of a label, beyond which two do not fit beside each other
 
 
 def _varied(table: Table) -> set[str]:
-    """The settings that take more than one value: the others need no mention."""
-    values: dict[str, set[str]] = {}
+    """The settings that take more than one value, that of the scene among them: the others need
+    no mention."""
+    values: dict[str, list[str]] = {}
     for row in table.rows:
         for name, value in row.setting.changes:
-            values.setdefault(name, set()).add(value)
-    return {name for name, taken in values.items() if len(taken) > 1}
+            values.setdefault(name, []).append(value)
+    return {
+        name
+        for name, taken in values.items()
+        if len(set(taken)) > 1 or len(taken) < len(table.rows)
+    }
 
 
 def _label(setting: Setting, varied: set[str]) -> str:
@@ -44,7 +49,8 @@ def draw(table: Table, path: str | os.PathLike[str] | None = None) -> Figure:
             first, rest = row.setting.changes[0], Setting(row.setting.changes[1:])
             point = (cost_of(row), max(error_of(row), 1e-16), first[1])
             series.setdefault(rest, []).append(point)
-    labels = [_label(rest, varied) for rest in series]
+    alone = "as in the scene" if len(series) > 1 else ""
+    labels = [_label(rest, varied) or alone for rest in series]
     columns = 1 if max(map(len, labels), default=0) > WIDE else 2
     legend = 0.15 * max(0, len(labels) // columns - 4)
     figure, axes = plt.subplots(figsize=(7, 6 + legend), layout="constrained")

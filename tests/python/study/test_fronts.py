@@ -68,6 +68,22 @@ def test_several_mappings_are_tried_one_after_the_other(ring: lp.Scene) -> None:
         settings_of([])
 
 
+def test_the_picture_tells_settings_apart_from_the_scene() -> None:
+    pytest.importorskip("matplotlib")
+    one, other = ("heat.method", "paper"), ("heat.transfer", "flip")
+    rows = [
+        row("0.2", 1e-1, 4.0),
+        row("0.2", 1e-2, 5.0, one),
+        row("0.2", 1e-3, 6.0, one, other),
+    ]
+    (legend,) = Table(rows, "temperature").picture().legends
+    assert [text.get_text() for text in legend.get_texts()] == [
+        "as in the scene",
+        "method = paper",
+        "method = paper, transfer = flip",
+    ]
+
+
 @pytest.mark.parametrize("name", fronts.scenes())
 def test_scenes_take_their_settings(name: str) -> None:
     given = fronts.scenes()[name]
