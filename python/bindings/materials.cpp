@@ -5,6 +5,7 @@
 #include "lapilli/materials/coupling.hpp"
 #include "lapilli/materials/drucker_prager.hpp"
 #include "lapilli/materials/elastic.hpp"
+#include "lapilli/materials/modified_cam_clay.hpp"
 #include "lapilli/materials/mohr_coulomb.hpp"
 #include "lapilli/materials/newtonian.hpp"
 #include "lapilli/materials/tabulated_mohr_coulomb.hpp"
@@ -33,6 +34,9 @@ void bind_materials(py::module_& module) {
   bind_struct<TabulatedMohrCoulomb>(module, "TabulatedMohrCoulomb",
                                     "Mohr-Coulomb soil whose strength and dilatancy are tables of "
                                     "its plastic strain.");
+  bind_struct<ModifiedCamClay>(
+      module, "ModifiedCamClay",
+      "Clay that hardens with compaction and softens with dilation, up to a critical state.");
   bind_struct<FunctionSolid>(module, "FunctionSolid",
                              "A solid whose stress is a function over blocks of points.");
   bind_struct<ThermalExpansion>(module, "ThermalExpansion",

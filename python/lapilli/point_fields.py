@@ -61,6 +61,13 @@ FIELDS = (
         SOLIDS,
         "equivalent plastic strain so far; of drucker_prager, von_mises and tabulated_mohr_coulomb",
     ),
+    PointField(
+        "plastic_compaction",
+        "1",
+        "scalar",
+        SOLIDS,
+        "plastic volume strain so far, positive in compaction; of modified_cam_clay",
+    ),
     PointField("pressure", "Pa", "scalar", PD_FLOW, "pressure of the fluid, compression positive"),
     PointField(
         "wall_heat_flux",

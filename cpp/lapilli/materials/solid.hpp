@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "lapilli/materials/drucker_prager.hpp"
+#include "lapilli/materials/modified_cam_clay.hpp"
 #include "lapilli/materials/mohr_coulomb.hpp"
 #include "lapilli/materials/solid_parts.hpp"
 #include "lapilli/materials/stiffness.hpp"
@@ -13,7 +14,7 @@ namespace lapilli {
 
 /// The solids that mechanics can move: the one list of them.
 using Solid = std::variant<LinearElastic, MohrCoulomb, DruckerPrager, VonMises,
-                           TabulatedMohrCoulomb, FunctionSolid>;
+                           TabulatedMohrCoulomb, ModifiedCamClay, FunctionSolid>;
 
 namespace detail {
 

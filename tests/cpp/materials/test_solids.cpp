@@ -29,6 +29,7 @@ std::vector<Solid> samples() {
           DruckerPrager{elastic, 0.0, 0.0, 5e3, ConeFit::extension},
           metal,
           clay,
+          ModifiedCamClay{elastic, 1.2, 0.02, 1.2e4},
           TabulatedMohrCoulomb{
               elastic, {0.0, 1e-4, 5e-4}, {35.0, 30.0, 25.0}, {15.0, 5.0, 0.0}, {5e3, 1e3, 0.0}}};
 }

@@ -92,6 +92,24 @@ EFFECTS: dict[str, Effect] = {
     "TabulatedMohrCoulomb.poissons_ratio": Effect(
         v.tabulated_block, "bodies[0].material.poissons_ratio", 0.3, 0.2, STRESS, "!="
     ),
+    "ModifiedCamClay.density": Effect(
+        v.clay_block, "bodies[0].material.density", 1000, 1500, STRESS, "!="
+    ),
+    "ModifiedCamClay.youngs_modulus": Effect(
+        v.clay_block, "bodies[0].material.youngs_modulus", 1e5, 2e5, STRESS, "!="
+    ),
+    "ModifiedCamClay.poissons_ratio": Effect(
+        v.clay_block, "bodies[0].material.poissons_ratio", 0.3, 0.2, STRESS, "!="
+    ),
+    "ModifiedCamClay.critical_state_slope": Effect(
+        v.clay_block, "bodies[0].material.critical_state_slope", 1.2, 0.8, STRESS, "!="
+    ),
+    "ModifiedCamClay.plastic_compressibility": Effect(
+        v.clay_block, "bodies[0].material.plastic_compressibility", 0.02, 0.04, STRESS, "!="
+    ),
+    "ModifiedCamClay.preconsolidation_pressure": Effect(
+        v.clay_block, "bodies[0].material.preconsolidation_pressure", 1e3, 2e3, STRESS, "!="
+    ),
     "FunctionSolid.density": Effect(
         v.function_block, "bodies[0].material.density", 1000, 1500, STRESS, "!="
     ),

@@ -233,6 +233,17 @@ def metal_block() -> lp.Scene:
     return block_of(lp.VonMises(**ELASTIC, yield_stress=(500.0, 800.0), plastic_strain=(0.0, 0.01)))
 
 
+def clay_block() -> lp.Scene:
+    return block_of(
+        lp.ModifiedCamClay(
+            **ELASTIC,
+            critical_state_slope=1.2,
+            plastic_compressibility=0.02,
+            preconsolidation_pressure=1e3,
+        )
+    )
+
+
 def tabulated_block() -> lp.Scene:
     return block_of(
         lp.TabulatedMohrCoulomb(
