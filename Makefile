@@ -21,7 +21,7 @@ TEXTS := README.md CONTRIBUTING.md CHANGELOG.md SECURITY.md CODE_OF_CONDUCT.md d
 INSTALL := pip install --quiet --no-build-isolation --config-settings=wheel.cmake=false \
   --config-settings=editable.mode=inplace --editable
 
-.PHONY: help program demo test verify mutate house bench fronts extremes docs lint tidy wheel stubs build clean
+.PHONY: help program demo test verify mutate house bench fronts verification extremes docs lint tidy wheel stubs build clean
 
 help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -78,7 +78,10 @@ bench: build  ## throughput, and error against cost: the tables of the README
 	@python bench/run.py
 
 fronts: program  ## where the defaults lie between error and cost, for scenes of all methods
-	@python bench/fronts.py
+	@python bench/fronts.py --manual
+
+verification: program  ## the rows of the manual's verification page
+	@lapilli reproduce --quick --json docs/verification.json || test $$? -eq 4 # a bar is missed: shown
 
 extremes: program  ## the map of stable, inaccurate and refused steps
 	@lapilli extremes --plot demo --json demo/extremes.json

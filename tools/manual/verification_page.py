@@ -45,7 +45,9 @@ def page(rows: Sequence[Row]) -> str:
         kept=verdicts.count("ok"), judged=judged, reported=verdicts.count("reported")
     )
     names = list(dict.fromkeys(row.case for row in rows))
-    return "\n".join([lead, *(part_of(name, [r for r in rows if r.case == name]) for name in names)])
+    return "\n".join(
+        [lead, *(part_of(name, [r for r in rows if r.case == name]) for name in names)]
+    )
 
 
 def part_of(name: str, rows: Sequence[Row]) -> str:
