@@ -254,16 +254,15 @@ std::vector<std::string> PeridynamicHeat::warnings() const {
   if (points_move_) {
     return all;
   }
-  if (settings_.laplacian != Laplacian::corrected) {
-    all.push_back(message("laplacian = \"", name_of(settings_.laplacian),
-                          "\" is there for comparison: through walls that do not fit its points it "
-                          "conducts 1 to 4 % wrong at 20 points across; leave it out"));
-  }
   if (const double missing = exchange_->imbalance(); missing > patch_tolerance) {
     all.push_back(
         message("the bonds of a point miss its surface, or each other, by ", 100.0 * missing,
                 " % of their own: there heat is conducted in a linear field that should rest; "
                 "take smaller cells where the body is thin, or laplacian = \"corrected\""));
+  } else if (settings_.laplacian != Laplacian::corrected) {
+    all.push_back(message("laplacian = \"", name_of(settings_.laplacian),
+                          "\" is there for comparison: through walls that do not fit its points it "
+                          "conducts 1 to 4 % wrong at 20 points across; leave it out"));
   }
   for (std::size_t k = 0; k < from_walls_.size(); ++k) {
     if (const double lost = exchange_->lost_at_ends(static_cast<int>(k)); lost > end_tolerance) {
