@@ -68,6 +68,8 @@ def test_ends_at_corners_lose_nothing(tmp_path: Path) -> None:
     assert said(plate(12, (-0.3, 1.3), 0.0), tmp_path)[1] == []
 
 
-def test_a_laplacian_for_comparison_is_named(tmp_path: Path) -> None:
-    scene = plate(12, (0.0, 1.0), 0.0, laplacian="zero-energy")
-    assert any("for comparison" in one for one in said(scene, tmp_path)[1])
+@pytest.mark.parametrize("laplacian", ["compact", "zero-energy", "literal"])
+def test_a_laplacian_for_comparison_is_named(tmp_path: Path, laplacian: str) -> None:
+    """By what its bonds miss, or as what it is."""
+    warnings = said(plate(12, (0.0, 1.0), 0.0, laplacian=laplacian), tmp_path)[1]
+    assert any("for comparison" in one or "the bonds of a point miss" in one for one in warnings)
