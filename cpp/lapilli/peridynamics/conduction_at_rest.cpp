@@ -6,7 +6,7 @@
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/geometry/cell_list.hpp"
-#include "lapilli/peridynamics/fluid_surface.hpp"
+#include "lapilli/peridynamics/held_edges.hpp"
 #include "lapilli/peridynamics/influence.hpp"
 
 namespace lapilli {
@@ -89,6 +89,7 @@ void ConductionAtRest<Dim>::take_surface() {
     surface_.moment[i] = Dim * points_.volume()[i];
   }
   const FluidSurface found = find_fluid_surface(walls_);
+  lost_at_ends_ = lapilli::lost_at_ends(found, walls_);
   std::map<FluidSurface::BoxIndex, std::vector<Index>> inhabitants;
   for (Index i = 0; i < points_.size(); ++i) {
     if (fluid(i)) {

@@ -34,6 +34,9 @@ class ConductionAtRest final : public HeatExchange {
                  double* area) const override;
   double wall_area(int wall) const override { return wall_area_[static_cast<std::size_t>(wall)]; }
   double imbalance() const override { return imbalance_; }
+  double lost_at_ends(int wall) const override {
+    return lost_at_ends_[static_cast<std::size_t>(wall)];
+  }
   /// All of it follows from where the points are.
   void save(Archive&) const override {}
   void load(const Archive&) override {}
@@ -63,7 +66,7 @@ class ConductionAtRest final : public HeatExchange {
   std::vector<Contact> contacts_;     // by points
   std::vector<Index> contact_begin_;  // points + 1
   std::vector<double> conductance_;   // of a bond, W/K
-  std::vector<double> wall_area_;
+  std::vector<double> wall_area_, lost_at_ends_;
   bool tilted_ = false;  // some surface does not follow the axes
   double imbalance_ = 0.0;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace lapilli {
@@ -18,6 +19,11 @@ struct EquationOfState {
       return scale * (cubed * cubed * ratio - 1.0);
     }
     return scale * (std::pow(ratio, exponent) - 1.0);
+  }
+  /// The density that gives a pressure; that of a hundredth of the first below it.
+  double density_at(double pressure) const {
+    const double scale = density * sound_speed * sound_speed / exponent;
+    return density * std::pow(std::max(1e-2, 1.0 + pressure / scale), 1.0 / exponent);
   }
 };
 

@@ -40,7 +40,8 @@ class PeridynamicHeat final : public Physics, public Warnings {
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
-  /// The patch test of points at rest: that a linear field would be given a rate.
+  /// Of points at rest: that a linear field would be given a rate, a Laplacian for comparison, heat
+  /// lost where a held wall ends within a side.
   std::vector<std::string> warnings() const override;
 
   const PointArray& temperature() const { return temperature_; }  // K

@@ -45,6 +45,9 @@ class HeatExchange {
   /// Largest |sum of G Y| / sum of G |Y| over points that no wall touches: the rate that a linear
   /// field is wrongly given.
   virtual double imbalance() const = 0;
+  /// About what share of the heat of `wall` is lost where it ends within a side (see
+  /// held_edges.hpp); 0 where it is not known.
+  virtual double lost_at_ends(int /*wall*/) const { return 0.0; }
 
   virtual void save(Archive& archive) const = 0;
   virtual void load(const Archive& archive) = 0;

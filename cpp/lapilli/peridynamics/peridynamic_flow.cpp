@@ -69,6 +69,10 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
       smallest_spacing_(walls_->spacing()) {
   const auto rows = static_cast<std::size_t>(points.size());
   rows_.assign(rows * row_size, 0.0);
+  const bool has_weight = heat_ != nullptr || settings_.buoyancy == Buoyancy::full;
+  if (has_weight && !gravity_.isZero(0.0)) {
+    borne_.emplace(*walls_, families_, gravity_);
+  }
   gradient_.assign(two_field_ ? rows : 0, Mat<Dim>::Zero());
   inverse_shape_.assign(two_field_ ? rows : 0, Mat<Dim>::Zero());
   if (heat_ != nullptr) {
@@ -136,6 +140,7 @@ void PeridynamicFlow<Dim>::start() {
   find_families();
   part_coincident_points<Dim>(points_, *walls_, families_);
   gather_rows();
+  balance_density();
   update_density_and_kick(0.0);
   started_ = true;
 }
@@ -237,6 +242,11 @@ void PeridynamicFlow<Dim>::gather_row(Index point) {
   }
   row[3] = mass_[point] / density_[point];
   row[7] = density_[point];
+  if (borne_) {
+    const bool known =
+        fluid(point) || walls_->walls()[walls_->wall(point)].settings.heat == WallHeat::temperature;
+    borne_->set(point, known ? share_of_gravity(point) : std::nan(""));
+  }
 }
 
 template <int Dim>

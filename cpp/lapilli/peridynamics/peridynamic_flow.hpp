@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "lapilli/core/warnings.hpp"
 #include "lapilli/peridynamics/bond_scratch.hpp"
 #include "lapilli/peridynamics/bond_sums.hpp"
+#include "lapilli/peridynamics/borne_weight.hpp"
 #include "lapilli/peridynamics/equation_of_state.hpp"
 #include "lapilli/peridynamics/flow.hpp"
 #include "lapilli/peridynamics/stress_force.hpp"
@@ -21,7 +23,8 @@ inline constexpr Index flow_piece = 128;
 /// Eqs. 26, 27, 33-36, 38), velocity Verlet.
 ///
 /// Differs from the paper where its equations do not run: stress from the new density (not Eq. 35),
-/// shifting away from neighbours (not Eq. 38), reduced buoyancy, a density diffusion. Walls are
+/// shifting away from neighbours (not Eq. 38), reduced buoyancy, a diffusion of density that leaves
+/// alone what bears the weight (as Fourtakas et al. 2019). Walls are
 /// layers of points that carry pressure; a wall point at depth d_j shows a fluid point at distance
 /// d_i the velocity v_s + (v_s - v_i) d_j/d_i. Not modelled: free surfaces, turbulence, a second
 /// fluid.
@@ -63,6 +66,8 @@ class PeridynamicFlow final : public Flow, public Warnings {
 
  private:
   void start();
+  /// Start with the pressure that bears the weight: without it sound would have to bring it.
+  void balance_density();
   void find_fastest();
   double fastest_squared(Index begin, Index end) const;  // m^2/s^2
   /// A uniform excess would only press the fluid together: buoyancy is that over the mean.
@@ -87,7 +92,10 @@ class PeridynamicFlow final : public Flow, public Warnings {
   };
   Pace pace() const;
 
-  Vec<Dim> body_force(Index point) const;  // acceleration, m/s^2
+  double share_of_gravity(Index point) const;  // 1, at the temperature of the point
+  Vec<Dim> body_force(Index point) const {     // acceleration, m/s^2
+    return share_of_gravity(point) * gravity_;
+  }
   bool fluid(Index point) const { return walls_->wall(point) < 0; }
 
   static constexpr Index row_size = flow_row_size;
@@ -111,6 +119,7 @@ class PeridynamicFlow final : public Flow, public Warnings {
   std::unique_ptr<PointArray> dissipation_, shifted_;
   StressForce<Dim> force_;
   Families families_;
+  std::optional<BorneWeight<Dim>> borne_;  // where anything has weight
   LargeArray<double> rows_;
   BondScratch bond_weights_;                        // w V, from the density to the force
   std::vector<Mat<Dim>> gradient_, inverse_shape_;  // kept for two fields only

@@ -32,6 +32,10 @@ void PeridynamicFlow<Dim>::update_density(Index task, double step_size) {
       const bool stays = !two_field_ && !walls_->walls()[walls_->wall(i)].settings.moves;
       leave_out_walls(families_, rows_.data(), weights, i, stays, sums);
     }
+    if (borne_) {
+      // What bears the weight does not diffuse: the fluid would creep after it without end.
+      sums.density -= borne_->of_point(i, weights) * fluid_.density / (sound_speed_ * sound_speed_);
+    }
     update_point(i, sums, step_size);
     if (dissipation_ && fluid(i)) {
       (*dissipation_)[i] =
@@ -119,15 +123,6 @@ void PeridynamicFlow<Dim>::accelerate_and_kick(Index task, double step_size) {
   }
   piece_fastest_[task] = fastest_squared(begin, end);
   bond_weights_.give_back(task);
-}
-
-template <int Dim>
-Vec<Dim> PeridynamicFlow<Dim>::body_force(Index point) const {
-  const double warmer = heat_ != nullptr ? heat_->temperature()[point] - reference_ : 0.0;
-  if (settings_.buoyancy == Buoyancy::reduced) {
-    return -fluid_.thermal_expansion * warmer * gravity_;
-  }
-  return (1.0 - fluid_.thermal_expansion * warmer) * gravity_;
 }
 
 template void PeridynamicFlow<1>::update_density(Index, double);

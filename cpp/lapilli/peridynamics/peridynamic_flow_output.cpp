@@ -7,11 +7,11 @@
 namespace lapilli {
 namespace {
 
-// Measured on cavities of Ra 1e3 to 1e6: as a share of the noise the Nusselt number is 0.1 to 0.45
-// too large, and the noise falls as the spacing to the power 1.4.
-constexpr double coarse_noise = 0.25;
-constexpr double resolved_noise = 0.1;
-constexpr double excess_heat = 0.4;
+// Measured on cavities of Ra 1e3 to 1e6: too much heat by this share of the noise times what motion
+// carries of it, and the noise falls as the spacing to the power 1.4.
+constexpr double excess_heat = 0.45;
+constexpr double coarse_excess = 0.03, resolved_excess = 0.02;
+constexpr double half_carried = 8.0;  // Peclet number where motion carries half of the heat
 
 double two_digits(double number) {
   const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1.0);
@@ -58,20 +58,24 @@ typename PeridynamicFlow<Dim>::Pace PeridynamicFlow<Dim>::pace() const {
 
 template <int Dim>
 std::vector<std::string> PeridynamicFlow<Dim>::warnings() const {
-  const double noise = velocity_noise();
-  if (noise <= coarse_noise || heat_ == nullptr) {
+  if (heat_ == nullptr) {
     return {};
   }
   // What stands still has nothing but noise, and what has hardly moved is a start.
   const Pace now = pace();
-  if (now.speed * now.width <= heat_->material().diffusivity() ||
-      now.speed * age_ <= 0.25 * now.width) {
+  if (now.speed * age_ <= 0.25 * now.width) {
+    return {};
+  }
+  const double peclet = now.speed * now.width / heat_->material().diffusivity();
+  const double noise = velocity_noise();
+  const double excess = excess_heat * noise * (1.0 - half_carried / (half_carried + peclet));
+  if (excess <= coarse_excess) {
     return {};
   }
   return {message("the points are too few for the layers of this flow: neighbours do not share ",
-                  std::round(100.0 * noise), " % of the velocity, and it may carry up to ",
-                  std::round(100.0 * excess_heat * noise), " % too much heat; take cells of ",
-                  two_digits(walls_->spacing() * std::pow(resolved_noise / noise, 0.7)), " m")};
+                  std::round(100.0 * noise), " % of the velocity, and it may carry about ",
+                  std::round(100.0 * excess), " % too much heat; take cells of ",
+                  two_digits(walls_->spacing() * std::pow(resolved_excess / excess, 0.7)), " m")};
 }
 
 template <int Dim>

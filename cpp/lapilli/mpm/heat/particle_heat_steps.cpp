@@ -31,6 +31,7 @@ void ParticleHeat<Dim>::follow(SubCycle::Motion motion) {
 template <int Dim>
 StepLimit ParticleHeat<Dim>::step_limit() const {
   StepLimit limit = own_limit();
+  limit.even = true;
   if (sub_cycle_) {
     limit.hard *= SubCycle::most_parts;
     limit.automatic = sub_cycle_->longest(limit.automatic);

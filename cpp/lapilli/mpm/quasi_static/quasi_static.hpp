@@ -84,6 +84,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   /// Energy of what smoothing over the nodes changes in the stress, over its own.
   double roughness() const;
   double farthest_moved() const;
+  double size_of_moves() const;  // m, root mean square of the displacements
   void choose_stiffness(bool moved_far);
   Eigen::VectorXd solve(Equilibrium<Dim>& equilibrium, Report& report);
   void follow_tangent(Equilibrium<Dim>& equilibrium, const Eigen::VectorXd& u,

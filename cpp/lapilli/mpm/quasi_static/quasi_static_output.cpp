@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/mpm/quasi_static/blurred_faces.hpp"
 #include "lapilli/mpm/quasi_static/support_terms.hpp"
 
 namespace lapilli {
@@ -125,10 +126,19 @@ double QuasiStatic<Dim>::farthest_moved() const {
 }
 
 template <int Dim>
+double QuasiStatic<Dim>::size_of_moves() const {
+  double squared = 0.0;
+  for (const double moved : displacement_.values()) {
+    squared += moved * moved;
+  }
+  return std::sqrt(squared / static_cast<double>(points_.size()));
+}
+
+template <int Dim>
 std::vector<std::string> QuasiStatic<Dim>::warnings() const {
   // Of 126 drawn scenes those whose displacements are off by more than 3 % have a roughness above
   // 0.006, and most above it are off by more than 1 %.
-  constexpr double small = 0.02, smooth = 0.006, crossing = 0.5;
+  constexpr double small = 0.02, smooth = 0.006, crossing = 0.5, noticed = 0.03;
   std::vector<std::string> all(notes_);
   if (largest_left_ > 0.0) {
     all.push_back(message("quasi_static: Newton's method stalled in a load step with a share of ",
@@ -144,6 +154,15 @@ std::vector<std::string> QuasiStatic<Dim>::warnings() const {
         "quasi_static: the cells are coarse for the stresses, whose energy is off "
         "by about ",
         100.0 * share, " %: displacements may be off by several percent; halve grid.cell to see"));
+  }
+  const BlurredFace face = worst_blurred_face<Dim>(grid_, points_, solids_);
+  if (const double size = size_of_moves(); face.missing > noticed * size) {
+    all.push_back(message(
+        "quasi_static: body ", face.body,
+        " strains like a stiffer one in the cells that they share, ", "which takes about ",
+        face.missing, " m off its displacement across their face, ",
+        std::round(100.0 * face.missing / size), " % of what the points have moved: put the face ",
+        "on a line of the grid, or take smaller cells"));
   }
   if (const double moved = farthest_moved() / grid_.cell_size(); !half_width_ && moved > crossing) {
     all.push_back(
@@ -183,6 +202,7 @@ std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() cons
   template std::vector<std::string> QuasiStatic<Dim>::warnings() const; \
   template double QuasiStatic<Dim>::roughness() const;                  \
   template double QuasiStatic<Dim>::farthest_moved() const;             \
+  template double QuasiStatic<Dim>::size_of_moves() const;              \
   template std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() const;
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)
