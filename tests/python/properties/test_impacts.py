@@ -26,7 +26,7 @@ def gained(transfer: dict[str, Any], kind: str, askew: float = 0.5) -> float:
         bodies=[
             lp.Body(
                 shape=lp.Box(lower=(4.37, 1.21), upper=(10.37, 9.21)),
-                material=lp.Elastic(density=1, youngs_modulus=1e4, poissons_ratio=0.3),
+                material=[lp.Elastic(density=1, youngs_modulus=1e4, poissons_ratio=0.3)],
                 velocity=(askew * SPEED, -SPEED),
             )
         ],
