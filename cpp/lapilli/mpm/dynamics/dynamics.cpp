@@ -91,6 +91,9 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
       obstacles_->push_second(data_);
     }
     hold_second_velocity(data_);
+    if (data_.moves_with_mean) {
+      take_mean_velocity(data_);
+    }
   }
   PointSums sums = update_points(data_, step.size);
   sums.kinetic += velocities.kinetic;

@@ -207,18 +207,6 @@ void divide_second_velocity(DynamicsData<Dim>& data) {
       }
     }
   });
-  if (data.moves_with_mean) {
-    // From here on the nodes only carry the points: with the mean velocity of the step.
-    parallel_ranges(data.nodes.last() - first, [&](Index begin, Index end) {
-      for (int axis = 0; axis < Dim; ++axis) {
-        double* velocity = data.nodes.velocity(axis) + first;
-        const double* increment = data.nodes.increment(axis) + first;
-        for (Index node = begin; node < end; ++node) {
-          velocity[node] -= 0.5 * increment[node];
-        }
-      }
-    });
-  }
 }
 
 template <int Dim>
@@ -230,9 +218,27 @@ void hold_second_velocity(DynamicsData<Dim>& data) {
     }
     // Along the wall it keeps what it has, as at obstacles.
     const Wall::Kind kind = data.walls[place.face].kind;
-    const Vec<Dim> held = held_by<Dim>(kind, place.normal, place.inward, velocity);
+    Vec<Dim> held = held_by<Dim>(kind, place.normal, place.inward, velocity);
+    if (kind == Wall::Kind::frictional && data.nodes.velocity(place.normal)[place.node] == 0.0) {
+      // What presses does not part: strained as if it did, a block that hits the wall gains energy.
+      held[place.normal] = 0.0;
+    }
     for (int axis = 0; axis < Dim; ++axis) {
       data.nodes.second_velocity(axis)[place.node] = held[axis];
+    }
+  });
+}
+
+template <int Dim>
+void take_mean_velocity(DynamicsData<Dim>& data) {
+  const Index first = data.nodes.first();
+  parallel_ranges(data.nodes.last() - first, [&](Index begin, Index end) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      double* velocity = data.nodes.velocity(axis) + first;
+      const double* increment = data.nodes.increment(axis) + first;
+      for (Index node = begin; node < end; ++node) {
+        velocity[node] -= 0.5 * increment[node];
+      }
     }
   });
 }
@@ -247,5 +253,7 @@ template void divide_second_velocity<2>(DynamicsData<2>&);
 template void divide_second_velocity<3>(DynamicsData<3>&);
 template void hold_second_velocity<2>(DynamicsData<2>&);
 template void hold_second_velocity<3>(DynamicsData<3>&);
+template void take_mean_velocity<2>(DynamicsData<2>&);
+template void take_mean_velocity<3>(DynamicsData<3>&);
 
 }  // namespace lapilli

@@ -33,13 +33,16 @@ void hold_nodes(DynamicsData<Dim>& data, double step, WallFriction<Dim>* frictio
 template <int Dim>
 void blend_nodes(DynamicsData<Dim>& data, double step);
 
-/// Divide the momentum projected again by the mass (MUSL). Where points move with the mean velocity
-/// of the step, the nodal velocity becomes that.
+/// Divide the momentum projected again by the mass (MUSL).
 template <int Dim>
 void divide_second_velocity(DynamicsData<Dim>& data);
 
-/// Hold the velocity projected again by the walls.
+/// Hold the velocity projected again by the walls; the solved one tells what presses them.
 template <int Dim>
 void hold_second_velocity(DynamicsData<Dim>& data);
+
+/// The nodal velocity becomes the mean of the step, where points move with that.
+template <int Dim>
+void take_mean_velocity(DynamicsData<Dim>& data);
 
 }  // namespace lapilli

@@ -14,6 +14,7 @@ struct Contact {
   static constexpr int corners = 1 << Dim;
 
   Index row = 0;                         // of the point
+  std::size_t nearest = 0;               // of a light node: the contact whose friction it adds to
   Vec<Dim> foot, normal, wall;           // m; out of the obstacle; its velocity there, m/s
   double bound = 0.0;                    // m/s, least normal speed that leaves an open gap open
   double grip = 0.0;                     // N s that adhesion bears in this step
@@ -22,6 +23,7 @@ struct Contact {
   double weight[corners];                // linear functions at the foot; their sum is 1
   double mass = 0.0;                     // kg, that an impulse here meets
   double push = 0.0;                     // N s along the normal
+  double beside = 0.0;                   // N s, of light nodes that it is the nearest to
   double past = -1.0;                    // N s, push that friction has felt so far; below 0: none
   double share = 1.0;                    // of the present push in what friction feels
   Vec<Dim> drag = Vec<Dim>::Zero();      // N s along the surface
@@ -31,7 +33,10 @@ struct Contact {
 
   Vec<Dim> impulse() const { return push * normal + drag; }
   /// N s, the push that bounds friction.
-  double felt() const { return past < 0.0 ? push : past + share * (push - past); }
+  double felt() const {
+    const double present = push + beside;
+    return past < 0.0 ? present : past + share * (present - past);
+  }
   /// N s, that it bears along the surface.
   double drag_limit(double friction) const {
     const double bears = felt();

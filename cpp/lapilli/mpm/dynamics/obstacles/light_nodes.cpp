@@ -72,6 +72,7 @@ std::vector<Contact<Dim>> find_light_nodes(const DynamicsData<Dim>& data,
   for (std::size_t k = 0; k < reached.size(); ++k) {
     if (k == 0 || reached[k].node != reached[k - 1].node) {
       Contact<Dim> contact = contacts[reached[k].contact];
+      contact.nearest = reached[k].contact;
       contact.count = 1;
       contact.node[0] = reached[k].node;
       contact.weight[0] = 1.0;
@@ -84,8 +85,37 @@ std::vector<Contact<Dim>> find_light_nodes(const DynamicsData<Dim>& data,
 }
 
 template <int Dim>
+void leave_out(const std::vector<Contact<Dim>>& nodes, std::vector<Contact<Dim>>& contacts) {
+  const auto is_light = [&](Index node) {
+    const auto at =
+        std::ranges::lower_bound(nodes, node, {}, [](const auto& n) { return n.node[0]; });
+    return at != nodes.end() && at->node[0] == node;
+  };
+  constexpr double least_sum = 1e-3;
+  for (Contact<Dim>& contact : contacts) {
+    Contact<Dim> without = contact;
+    double sum = 0.0;
+    without.count = 0;
+    for (int c = 0; c < contact.count; ++c) {
+      if (!is_light(contact.node[c])) {
+        without.node[without.count] = contact.node[c];
+        without.weight[without.count++] = contact.weight[c];
+        sum += contact.weight[c];
+      }
+    }
+    if (without.count < contact.count && sum > least_sum) {
+      for (int c = 0; c < without.count; ++c) {
+        without.weight[c] /= sum;
+      }
+      contact = without;
+    }
+  }
+}
+
+template <int Dim>
 void hold_light_nodes(std::vector<Contact<Dim>>& nodes, const double* mass,
-                      double* const (&velocity)[Dim], RigidMotion& motion) {
+                      double* const (&velocity)[Dim], RigidMotion& motion,
+                      std::vector<Contact<Dim>>& contacts) {
   Vec3 impulse = Vec3::Zero(), moment = Vec3::Zero();
   for (Contact<Dim>& contact : nodes) {
     const Vec3 foot = in_space<Dim>(contact.foot);
@@ -93,6 +123,7 @@ void hold_light_nodes(std::vector<Contact<Dim>>& nodes, const double* mass,
     const Vec<Dim> relative = contact.at_foot(velocity) - contact.wall;
     const double normal = relative.dot(contact.normal), m = mass[contact.node[0]];
     contact.push = std::max(0.0, m * (contact.bound - normal));
+    contacts[contact.nearest].beside += contact.push;
     for (int axis = 0; axis < Dim; ++axis) {
       velocity[axis][contact.node[0]] += contact.impulse()[axis] / m;
     }
@@ -120,8 +151,9 @@ void match_light_nodes(const std::vector<Contact<Dim>>& nodes, double* const (&v
 #define LAPILLI_INSTANTIATE(Dim)                                                                   \
   template std::vector<Contact<Dim>> find_light_nodes(const DynamicsData<Dim>&,                    \
                                                       const std::vector<Contact<Dim>>&);           \
+  template void leave_out(const std::vector<Contact<Dim>>&, std::vector<Contact<Dim>>&);           \
   template void hold_light_nodes(std::vector<Contact<Dim>>&, const double*, double* const(&)[Dim], \
-                                 RigidMotion&);                                                    \
+                                 RigidMotion&, std::vector<Contact<Dim>>&);                        \
   template void match_light_nodes(const std::vector<Contact<Dim>>&, double* const(&)[Dim]);
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)

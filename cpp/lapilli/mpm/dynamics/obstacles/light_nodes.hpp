@@ -20,11 +20,18 @@ template <int Dim>
 std::vector<Contact<Dim>> find_light_nodes(const DynamicsData<Dim>& data,
                                            const std::vector<Contact<Dim>>& contacts);
 
+/// Take them out of the nodes of contacts: one that is held and pushed as well would be thrown out,
+/// and the heavy nodes beside it pushed on to make up for it.
+template <int Dim>
+void leave_out(const std::vector<Contact<Dim>>& nodes, std::vector<Contact<Dim>>& contacts);
+
 /// Stop them at the obstacle, and push it where it is free. They slide on it: held along it too,
-/// blocks that friction holds would gain energy.
+/// blocks that friction holds would gain energy. The friction of what they press falls to the
+/// contacts beside them.
 template <int Dim>
 void hold_light_nodes(std::vector<Contact<Dim>>& nodes, const double* mass,
-                      double* const (&velocity)[Dim], RigidMotion& motion);
+                      double* const (&velocity)[Dim], RigidMotion& motion,
+                      std::vector<Contact<Dim>>& contacts);
 
 /// What that means for the velocity projected again (MUSL).
 template <int Dim>

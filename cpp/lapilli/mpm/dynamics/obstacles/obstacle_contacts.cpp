@@ -206,6 +206,7 @@ typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::push(DynamicsData<Di
     increment[axis] = data.nodes.increment(axis);
   }
   light_ = find_light_nodes(data, contacts_);
+  leave_out(light_, contacts_);
   for (auto* contacts : {&contacts_, &light_}) {
     for (Contact<Dim>& contact : *contacts) {
       contact.approach = contact.at_foot(velocity);
@@ -213,8 +214,8 @@ typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::push(DynamicsData<Di
     }
   }
   start_from(last_step_ > 0.0 ? step / last_step_ : 0.0);
+  hold_light_nodes<Dim>(light_, data.nodes.mass(), velocity, motion_, contacts_);
   solve_contacts<Dim>(contacts_, friction_, data.nodes.mass(), velocity, motion_, crowd);
-  hold_light_nodes<Dim>(light_, data.nodes.mass(), velocity, motion_);
   keep();
   last_step_ = step;
   force_.setZero();
