@@ -2179,11 +2179,13 @@ class Obstacle:
     shape : Shape, required
         what material cannot enter, any shape
     contact : typing.Literal['frictional', 'slip', 'no_slip'], default 'frictional'
-        frictional, slip or no_slip; material may part from all
+        frictional, slip or no_slip
     friction : float, default 0.0
         coefficient of Coulomb friction, of frictional; at least 0
     adhesion : float, Pa, default 0.0
         shear it bears beyond friction; at least 0 (Pa)
+    separation : bool, default True
+        whether material that has touched it may part from it; else it can pull
     velocity : collections.abc.Sequence[float], m/s, default ()
         one number an axis, with a mass at the start; empty: none
     revolutions_per_second : float, 1/s, default 0.0
@@ -2202,6 +2204,12 @@ class Obstacle:
         on one with a mass, besides weight and contacts, one value an axis; empty: none
     held : collections.abc.Sequence[str], default ()
         of one with a mass: "x", "y", "z", "rotation" that go on as at the start
+    temperature : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] | None, K, default None
+        of its surface, a number or a table in time; absent: no heat passes
+    conductance : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] | None, W/(m^2 K), default 'perfect'
+        thermal contact conductance where material touches it: flux over the jump of the temperature, a number or a table in time; at least 0 (W/(m^2 K))
+    heat_capacity : float | None, J/K, default None
+        of one that the heat it takes warms, from its temperature on, in 2D per metre of depth; absent: its temperature stays as given; above 0 (J/K)
     """
     __hash__: typing.ClassVar[None]  # type: ignore[assignment]
     __signature__: typing.ClassVar[inspect.Signature]
@@ -2209,7 +2217,7 @@ class Obstacle:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, name: str = ..., shape: Shape, contact: typing.Literal['frictional', 'slip', 'no_slip'] = ..., friction: float = ..., adhesion: float = ..., velocity: collections.abc.Sequence[float] = ..., revolutions_per_second: float = ..., center: collections.abc.Sequence[float] = ..., axis: collections.abc.Sequence[float] = ..., factor: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., mass: float | None = ..., inertia: collections.abc.Sequence[float] = ..., force: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., held: collections.abc.Sequence[str] = ...) -> None:
+    def __init__(self, *, name: str = ..., shape: Shape, contact: typing.Literal['frictional', 'slip', 'no_slip'] = ..., friction: float = ..., adhesion: float = ..., separation: bool = ..., velocity: collections.abc.Sequence[float] = ..., revolutions_per_second: float = ..., center: collections.abc.Sequence[float] = ..., axis: collections.abc.Sequence[float] = ..., factor: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., mass: float | None = ..., inertia: collections.abc.Sequence[float] = ..., force: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]] = ..., held: collections.abc.Sequence[str] = ..., temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] | None = ..., conductance: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] | None | str = ..., heat_capacity: float | None = ...) -> None:
         ...
     def __reduce__(self) -> typing.Any:
         ...
@@ -2244,9 +2252,17 @@ class Obstacle:
     def center(self, value: collections.abc.Sequence[float]) -> None:
         ...
     @property
+    def conductance(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] | None | str:
+        """
+        thermal contact conductance where material touches it: flux over the jump of the temperature, a number or a table in time, W/(m^2 K)
+        """
+    @conductance.setter
+    def conductance(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] | None | str) -> None:
+        ...
+    @property
     def contact(self) -> typing.Literal['frictional', 'slip', 'no_slip']:
         """
-        frictional, slip or no_slip; material may part from all
+        frictional, slip or no_slip
         """
     @contact.setter
     def contact(self, value: typing.Literal['frictional', 'slip', 'no_slip']) -> None:
@@ -2274,6 +2290,14 @@ class Obstacle:
         """
     @friction.setter
     def friction(self, value: float) -> None:
+        ...
+    @property
+    def heat_capacity(self) -> float | None:
+        """
+        of one that the heat it takes warms, from its temperature on, in 2D per metre of depth; absent: its temperature stays as given, J/K
+        """
+    @heat_capacity.setter
+    def heat_capacity(self, value: float | None) -> None:
         ...
     @property
     def held(self) -> collections.abc.Sequence[str]:
@@ -2316,12 +2340,28 @@ class Obstacle:
     def revolutions_per_second(self, value: float) -> None:
         ...
     @property
+    def separation(self) -> bool:
+        """
+        whether material that has touched it may part from it; else it can pull
+        """
+    @separation.setter
+    def separation(self, value: bool) -> None:
+        ...
+    @property
     def shape(self) -> Shape:
         """
         what material cannot enter, any shape
         """
     @shape.setter
     def shape(self, value: Shape) -> None:
+        ...
+    @property
+    def temperature(self) -> float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] | None:
+        """
+        of its surface, a number or a table in time; absent: no heat passes, K
+        """
+    @temperature.setter
+    def temperature(self, value: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] | None) -> None:
         ...
     @property
     def velocity(self) -> collections.abc.Sequence[float]:

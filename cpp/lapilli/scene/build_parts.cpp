@@ -16,6 +16,7 @@
 #include "lapilli/scene/build_motion.hpp"
 #include "lapilli/scene/build_peridynamics.hpp"
 #include "lapilli/scene/common_motion.hpp"
+#include "lapilli/scene/heat_obstacles.hpp"
 #include "lapilli/scene/place_errors.hpp"
 #include "lapilli/scene/stress_at_start.hpp"
 
@@ -88,6 +89,8 @@ std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
           [&](const auto& known) { problem.walls[static_cast<std::size_t>(known.face)] = true; },
           wall);
     }
+    problem.obstacles = heat_obstacles(scene);
+    problem.separates = true;
   }
   problem.frame = common_motion(scene);
   problem.fixed_steps = scene.time.step || scene.time.steps;
@@ -197,6 +200,22 @@ void couple(const Scene& scene, const Beginning& beginning, Points& points, Part
   }
   heat.follow({[&dynamics] { return dynamics.speed(); },
                [&dynamics] { return dynamics.step_limit().automatic; }});
+  at_place(scene, "heat.contacts", [&] {
+    require(dynamics.has_contacts() || scene.heat->contacts.empty(),
+            "all bodies are bonded and share their temperatures; say dynamics.contacts.contact = "
+            "\"frictional\" for those that resist heat");
+  });
+  if (dynamics.has_contacts()) {
+    heat.separate(dynamics.node_fields(), dynamics.touches());
+  }
+  std::vector<FindFeet<Dim>> feet;
+  for (const HeatObstacle& obstacle : heat_obstacles(scene)) {
+    const auto number = static_cast<std::size_t>(obstacle.number);
+    feet.push_back([&dynamics, number] { return dynamics.feet(number); });
+  }
+  if (!feet.empty()) {
+    heat.touch(std::move(feet));
+  }
   if (heat.carried_gradient() != nullptr) {
     dynamics.turn(*heat.carried_gradient());
   }

@@ -188,7 +188,9 @@ void describe_dynamics(const Scene& scene, CheckReport& report) {
   for (const Obstacle& obstacle : settings.obstacles) {
     report.modelled.push_back(message(name_of(obstacle.contact), " obstacle ", obstacle.name,
                                       obstacle.name.empty() ? "" : ": ", kind_of(obstacle.shape),
-                                      obstacle.mass ? ", moved by the forces on it" : ""));
+                                      obstacle.mass ? ", moved by the forces on it" : "",
+                                      obstacle.temperature ? ", exchanges heat" : "",
+                                      obstacle.separation ? "" : ", without separation"));
   }
   for (const Body& body : scene.bodies) {
     for (const Material& material : body.material) {

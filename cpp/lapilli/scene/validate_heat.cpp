@@ -32,11 +32,20 @@ void for_each_temperature(const Scene& scene, const Body& body) {
       body(*surroundings, message("heat.boundaries.", k, ".", key_of_surroundings(law)));
     }
   }
+  for (std::size_t k = 0; scene.dynamics && k < scene.dynamics->obstacles.size(); ++k) {
+    if (const auto& temperature = scene.dynamics->obstacles[k].temperature) {
+      body(*temperature, message("dynamics.obstacles.", k, ".temperature"));
+    }
+  }
 }
 
 }  // namespace
 
 void validate_heat(const Scene& scene) {
+  for (std::size_t k = 0; scene.dynamics && k < scene.dynamics->obstacles.size(); ++k) {
+    require_at(scene.heat || !scene.dynamics->obstacles[k].temperature, scene,
+               message("dynamics.obstacles.", k, ".temperature"), "has no effect without [heat]");
+  }
   if (!radiates(scene)) {
     return;
   }

@@ -65,6 +65,12 @@ void check_heat(const Scene& scene, Mistakes& mistakes) {
     names.reserve({"plastic work", "removed points"});
   }
   take_conditions(scene.heat->boundaries, "heat.boundaries", names);
+  for (std::size_t k = 0; scene.dynamics && k < scene.dynamics->obstacles.size(); ++k) {
+    const Obstacle& obstacle = scene.dynamics->obstacles[k];
+    if (obstacle.temperature) {
+      names.take(element_path("dynamics.obstacles", k), obstacle.name, message("obstacle ", k));
+    }
+  }
   if (!scene.heat->contacts.empty()) {
     ColumnNames bodies(scene, mistakes);  // "heat from a to b"
     for (std::size_t k = 0; k < scene.bodies.size(); ++k) {

@@ -57,6 +57,35 @@ EFFECTS: dict[str, Effect] = {
     "BodyContact.adhesion": Effect(
         scenes.sliding_block, "dynamics.contacts[0].adhesion", 0.0, 1e3, centre(0), "<"
     ),
+    "Obstacle.separation": Effect(
+        v.block_below_a_plate, "dynamics.obstacles[0].separation", True, False, centre(1), ">"
+    ),
+    "Obstacle.temperature": Effect(
+        v.block_below_a_plate,
+        "dynamics.obstacles[0].temperature",
+        0.0,
+        0.5,
+        supplied("heat"),
+        "x",
+        0.5,
+        1e-9,
+    ),
+    "Obstacle.conductance": Effect(
+        v.block_below_a_plate,
+        "dynamics.obstacles[0].conductance",
+        1e3,
+        1e4,
+        supplied("heat"),
+        "<",
+    ),
+    "Obstacle.heat_capacity": Effect(
+        v.block_below_a_plate,
+        "dynamics.obstacles[0].heat_capacity",
+        1e4,
+        10.0,
+        number("heat/temperature_of_plate"),
+        ">",
+    ),
     "FrictionalBoundary.coefficient": Effect(
         F,
         "dynamics.grid_boundaries[0].coefficient",

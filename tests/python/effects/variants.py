@@ -65,6 +65,34 @@ def hot_and_cold() -> lp.Scene:
     )
 
 
+def block_below_a_plate() -> lp.Scene:
+    """A warm block that an obstacle holds and cools."""
+    scene = scenes.falling_block(
+        gravity=(0.0, -10.0),
+        grid_boundaries=[],
+        outside="remove",
+        obstacles=[
+            lp.Obstacle(
+                name="plate",
+                shape=lp.Box(lower=(0, 1), upper=(4, 1.5)),
+                separation=False,
+                temperature=0.0,
+                conductance=1e3,
+                heat_capacity=1e4,
+            )
+        ],
+    )
+    body = scene.bodies[0]
+    body.velocity = ()
+    body.temperature = 1.0
+    body.material = [
+        lp.Elastic(density=1000, youngs_modulus=1e5, poissons_ratio=0.3),
+        lp.Thermal(density=1000, specific_heat=1, conductivity=1e3),
+    ]
+    scene.heat = lp.Heat()
+    return scene
+
+
 def box_plate() -> lp.Scene:
     scene = scenes.disk(boundaries=[lp.Flux(value=1.0)])
     scene.bodies[0].shape = lp.Box(lower=(-1.1, -0.9), upper=(1.05, 1.15))

@@ -255,6 +255,13 @@ void Dynamics<Dim>::start_affine(const DynamicsProblem<Dim>& problem) {
 }
 
 template <int Dim>
+FindTouches Dynamics<Dim>::touches() {
+  project_to_grid(data_, 0.0);
+  contacts_->keep_touches(data_);
+  return [this]() -> const std::vector<BodyTouch>& { return contacts_->touches(); };
+}
+
+template <int Dim>
 const PointArray& Dynamics<Dim>::incremental_deformation() {
   if (!data_.deformation) {
     data_.deformation = std::make_unique<PointArray>(data_.points, Dim * Dim);

@@ -57,6 +57,16 @@ class Dynamics final : public Physics,
   /// and left for its owner to set again.
   PointArray& free_strain();
 
+  /// Whether bodies have nodes of their own where they meet.
+  bool has_contacts() const { return contacts_ != nullptr; }
+  const NodeFields<Dim>& node_fields() const { return data_.fields; }
+  /// Where bodies touch, kept from here on.
+  FindTouches touches();
+  /// Where points touch an obstacle of this number.
+  std::vector<SurfaceFoot<Dim>> feet(std::size_t obstacle) const {
+    return obstacles_->feet(data_, obstacle);
+  }
+
   const PointArray& velocity() const { return data_.velocity; }  // m/s
   const PointArray& stress() const { return data_.stress; }      // Pa; xx yy zz xy (yz xz)
   const PointArray& mass() const { return data_.mass; }          // kg

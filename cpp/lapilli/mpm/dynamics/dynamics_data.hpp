@@ -8,9 +8,9 @@
 #include "lapilli/mpm/dynamics/cell_dilatation.hpp"
 #include "lapilli/mpm/dynamics/dynamics_problem.hpp"
 #include "lapilli/mpm/dynamics/grid_boundaries.hpp"
-#include "lapilli/mpm/dynamics/node_fields.hpp"
 #include "lapilli/mpm/dynamics/stress_update.hpp"
 #include "lapilli/mpm/transfer/cell_order.hpp"
+#include "lapilli/mpm/transfer/node_fields.hpp"
 
 namespace lapilli {
 

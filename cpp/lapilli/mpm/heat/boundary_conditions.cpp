@@ -67,6 +67,24 @@ void BoundaryConditions<Dim>::assign(
 }
 
 template <int Dim>
+void BoundaryConditions<Dim>::leave_to_obstacle(std::span<const TouchingNode<Dim>> touching,
+                                                double cell) {
+  constexpr double slack = 0.35;  // cells: of a region that ends along the surface
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    const Shape* region = region_of(laws_[law]);
+    Nodes& nodes = nodes_[law];
+    for (std::size_t k = 0; k < nodes.node.size(); ++k) {
+      const auto found =
+          std::ranges::lower_bound(touching, nodes.node[k], {}, &TouchingNode<Dim>::node);
+      if (found != touching.end() && found->node == nodes.node[k] &&
+          (region == nullptr || distance(*region, found->place) < slack * cell)) {
+        nodes.area[k] *= found->free_share;
+      }
+    }
+  }
+}
+
+template <int Dim>
 void BoundaryConditions<Dim>::save(Archive& archive, const std::string& name) const {
   account_.save(archive, name);
   ratios_.save(archive, name + "/area_ratios");

@@ -8,6 +8,7 @@
 #include "lapilli/core/balance.hpp"
 #include "lapilli/mpm/heat/condition_account.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
+#include "lapilli/mpm/heat/touching_surface.hpp"
 #include "lapilli/mpm/surface/area_ratios.hpp"
 #include "lapilli/mpm/surface/nodal_surface.hpp"
 #include "lapilli/mpm/surface/surface_regions.hpp"
@@ -59,6 +60,9 @@ class BoundaryConditions {
   /// Scale the areas that are assigned from here on.
   void compare_areas(AreaRatios ratios) { ratios_ = std::move(ratios); }
   const AreaRatios& area_ratios() const { return ratios_; }
+  /// Take from the laws what of their areas touches an obstacle, unless their regions end before
+  /// it.
+  void leave_to_obstacle(std::span<const TouchingNode<Dim>> touching, double cell);
   /// Place the probes of held temperatures, one cell below the surface, among the nodes that are
   /// active: a thin plate has fewer there. `conductivity` is the nodal n.k.n (W/(m K)).
   void place_probes(const Grid<Dim>& grid, const std::function<bool(Index)>& is_active,

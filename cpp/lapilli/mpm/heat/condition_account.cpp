@@ -26,7 +26,7 @@ std::vector<Balance::Entry> ConditionAccount::entries(
     std::span<const HeatBoundary> conditions) const {
   std::vector<Balance::Entry> all;
   for (std::size_t k = 0; k < conditions.size(); ++k) {
-    all.push_back({name_of_law(conditions[k], k), sums_[k].sum + sums_[k].dropped});
+    all.push_back({name_of_law(conditions[k], k), heat(k)});
   }
   return all;
 }

@@ -21,6 +21,9 @@ class ConditionAccount {
   /// and solvers leave.
   void book(std::span<const double> heat, double total);
 
+  double heat(std::size_t condition) const {
+    return sums_[condition].sum + sums_[condition].dropped;
+  }
   std::vector<Balance::Entry> entries(std::span<const HeatBoundary> conditions) const;
   void save(Archive& archive, const std::string& name) const;
   void load(const Archive& archive, const std::string& name);

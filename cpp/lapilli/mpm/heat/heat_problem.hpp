@@ -11,6 +11,7 @@
 #include "lapilli/geometry/prescribed_motion.hpp"
 #include "lapilli/geometry/shape.hpp"
 #include "lapilli/materials/thermal.hpp"
+#include "lapilli/mpm/heat/heat_obstacle.hpp"
 #include "lapilli/mpm/heat/heat_settings.hpp"
 #include "lapilli/mpm/surface/nodal_surface.hpp"
 #include "lapilli/mpm/surface/wall_contact.hpp"
@@ -40,13 +41,15 @@ struct HeatProblem {
   ContactFaces walls{};       // faces of the grid that bodies rest against: no heat passes there
   bool fixed_steps = false;   // whether the user has chosen the step
   std::optional<Motion> frame{};  // the one prescribed motion of all bodies, where they share one
+  std::vector<HeatObstacle> obstacles{};
+  bool separates = false;  // whether the physics that moves the points knows where bodies touch
 };
 
 /// Whether heat is not linear in the temperature of the nodes of one part alone: properties depend
-/// on it, something melts, or bodies touch with a resistance. EnthalpyHeat solves these.
+/// on it, something melts, or bodies at rest touch with a resistance. EnthalpyHeat solves these.
 template <int Dim>
 bool is_nonlinear(const HeatProblem<Dim>& problem) {
-  return !problem.settings.contacts.empty() ||
+  return (!problem.settings.contacts.empty() && !problem.separates) ||
          std::any_of(problem.bodies.begin(), problem.bodies.end(),
                      [](const HeatBody& body) { return body.material.varies(); });
 }

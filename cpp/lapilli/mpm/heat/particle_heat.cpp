@@ -30,8 +30,10 @@ ParticleHeat<Dim>::ParticleHeat(Points& points, HeatProblem<Dim> problem)
       temperature_(points, 1),
       capacity_(points, 1),
       order_(problem_.grid, support_of(problem_.shape)),
-      grid_(problem_.grid, problem_.shape, coefficients_, !problem_.settings.boundaries.empty()),
-      laws_(problem_.settings.boundaries, absolute_zero(problem_.settings)) {
+      grid_(problem_.grid, problem_.shape, coefficients_,
+            !problem_.settings.boundaries.empty() || !problem_.obstacles.empty()),
+      laws_(problem_.settings.boundaries, absolute_zero(problem_.settings)),
+      obstacles_(problem_.obstacles) {
   require(transfer_ != HeatTransfer::nodal,
           "heat.transfer = \"nodal\" needs points at rest that no method \"particle\" reads");
   require(!affine_ || problem_.shape != ShapeFunction::linear, "heat.transfer = \"",
@@ -108,7 +110,9 @@ void ParticleHeat<Dim>::bound_step() {
     return;
   }
   limited_ordering_ = points_.ordering();
-  limit_ = explicit_step_limit(points_, problem_, coefficients_, capacity_.values(), transfer_);
+  limit_ = fields_ ? separate_limit()
+                   : explicit_step_limit(points_, problem_, coefficients_, capacity_.values(),
+                                         transfer_);
   if (limit_.hard > carried_limit_) {
     limit_.automatic *= carried_limit_ / limit_.hard;
     limit_.hard = carried_limit_;
@@ -132,6 +136,7 @@ template <int Dim>
 void ParticleHeat<Dim>::take_step(const Step& step) {
   project_to_grid();
   require_in_range();
+  obstacles_.find(problem_, points_, coefficients_, grid_);
   find_surface();
   conduct();
   exchange_with_surroundings(step);
@@ -144,8 +149,17 @@ void ParticleHeat<Dim>::take_step(const Step& step) {
 
 template <int Dim>
 void ParticleHeat<Dim>::project_to_grid() {
-  grid_.project(points_, order_, capacity_.data(), temperature_.data(),
-                affine_ ? gradient_->data() : nullptr);
+  project_to_grid(temperature_.data());
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::project_to_grid(const double* temperature) {
+  const double* gradient = affine_ ? gradient_->data() : nullptr;
+  if (fields_) {
+    fields_->project(points_, order_, capacity_.data(), temperature, gradient, grid_);
+  } else {
+    grid_.project(points_, order_, capacity_.data(), temperature, gradient);
+  }
 }
 
 /// Areas are those of the shapes at the start, where these are known and nobody chose the operator.
@@ -203,6 +217,9 @@ void ParticleHeat<Dim>::find_surface() {
     return surface_places<Dim>(problem_.grid, points_, problem_.shape, coefficients_.half_width,
                                areas, problem_.walls);
   });
+  for (const TouchingSurface<Dim>& surface : obstacles_.surfaces()) {
+    laws_.leave_to_obstacle(surface.nodes, problem_.grid.cell_size());
+  }
   if (laws_.has_held_temperature()) {
     const auto is_active = [&](Index node) { return grid_.capacity[node] > 0.0; };
     laws_.place_probes(problem_.grid, is_active,
@@ -212,7 +229,11 @@ void ParticleHeat<Dim>::find_surface() {
 
 template <int Dim>
 void ParticleHeat<Dim>::conduct() {
-  grid_.conduct(points_, order_);
+  if (fields_) {
+    fields_->conduct(points_, order_, grid_);
+  } else {
+    grid_.conduct(points_, order_);
+  }
 }
 
 template <int Dim>
@@ -234,20 +255,21 @@ template <int Dim>
 void ParticleHeat<Dim>::update_points(const Step& step) {
   const double beta = blend(step.size);
   relax_points();
-  grid_.for_active_nodes([&](Index begin, Index end) {
+  PointGridTransfer<Dim>& nodes = carrier();
+  nodes.for_active_nodes([&](Index begin, Index end) {
     for (Index node = begin; node < end; ++node) {
-      grid_.blended[node] = grid_.increment[node] + beta * grid_.temperature[node];
+      nodes.blended[node] = nodes.increment[node] + beta * nodes.temperature[node];
     }
   });
-  grid_.update(points_, grid_.blended, beta, temperature_.data(),
+  nodes.update(points_, nodes.blended, beta, temperature_.data(),
                affine_ ? gradient_->data() : nullptr);
   if (step.output_due) {
-    grid_.for_active_nodes([&](Index begin, Index end) {
+    nodes.for_active_nodes([&](Index begin, Index end) {
       for (Index node = begin; node < end; ++node) {
-        grid_.blended[node] = grid_.increment[node] + grid_.temperature[node];
+        nodes.blended[node] = nodes.increment[node] + nodes.temperature[node];
       }
     });
-    show(grid_.blended);
+    show(nodes.blended);
   }
 }
 

@@ -9,9 +9,11 @@
 #include "lapilli/core/self_heating.hpp"
 #include "lapilli/core/stores_in_points.hpp"
 #include "lapilli/mpm/heat/boundary_conditions.hpp"
+#include "lapilli/mpm/heat/heat_fields.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/heat/heat_source.hpp"
 #include "lapilli/mpm/heat/heat_surface.hpp"
+#include "lapilli/mpm/heat/obstacle_exchange.hpp"
 #include "lapilli/mpm/heat/point_grid_transfer.hpp"
 #include "lapilli/mpm/heat/sub_cycle.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
@@ -59,6 +61,11 @@ class ParticleHeat final : public Physics,
   void go_on(const PointStart& start);
   /// Let heat take steps of its own, whatever those of the clock, where the settings allow it.
   void follow(SubCycle::Motion motion);
+  /// Give bodies whose motion can part, those of several fields, temperatures of their own at the
+  /// nodes; before the first step.
+  void separate(const NodeFields<Dim>& fields, FindTouches touches);
+  /// Where material touches the obstacles of the problem; before the first step.
+  void touch(std::vector<FindFeet<Dim>> feet);
   /// Null where heat takes the steps of the clock.
   const SubCycle* sub_cycle() const { return sub_cycle_.get(); }
   /// Have an entry of the balance, from the start, for heat of plastic work, for points that leave.
@@ -80,6 +87,7 @@ class ParticleHeat final : public Physics,
 
   // The phases of a step.
   void project_to_grid();
+  void project_to_grid(const double* temperature);
   void compare_with_shapes();
   AreaRatios::Found areas_without_others(const std::vector<std::size_t>& bodies) const;
   void find_surface();
@@ -90,9 +98,14 @@ class ParticleHeat final : public Physics,
   void update_points(const Step& step);
 
   void exchange_at_points(const Step& step);
+  void exchange_at_nodes(double step);
   void heat_by_sources(const Step& step);
   void find_self_heating(double time);
   double blend(double step) const;
+  /// What points take from.
+  PointGridTransfer<Dim>& carrier() { return fields_ ? fields_->nodes() : grid_; }
+  StepLimit separate_limit() const;
+  void make_room_to_show();
   void show(const std::vector<double>& nodal);
   std::vector<double> supplied() const;
   double exchange_rate() const;
@@ -110,10 +123,12 @@ class ParticleHeat final : public Physics,
   std::unique_ptr<PointArray> gradient_;
   CellOrder<Dim> order_;
   PointGridTransfer<Dim> grid_;
+  std::unique_ptr<HeatFields<Dim>> fields_;  // null where all bodies share the nodes
   BoundaryConditions<Dim> laws_;
   std::unique_ptr<HeatSurface<Dim>> surface_;
   std::pair<Index, Index> surface_found_{-1, -1};  // version and ordering of the points
   std::optional<HeatSource<Dim>> source_;
+  ObstacleExchange<Dim> obstacles_;
   // FLIP under strong exchange (coefficient h / conductivity > 1): the share of the gap to the
   // surroundings that a node closed in the step, zero elsewhere. Points follow by the same share;
   // by increments alone they would be carried past the surroundings.

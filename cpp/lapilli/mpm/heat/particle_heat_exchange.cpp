@@ -93,9 +93,17 @@ void ParticleHeat<Dim>::solve_nodes(const Step& now) {
     }
   });
   heat_by_sources(now);
-  if (problem_.settings.method == FluxMethod::particle) {
-    return;
+  if (problem_.settings.method != FluxMethod::particle) {
+    exchange_at_nodes(step);
   }
+  obstacles_.exchange(now, grid_);
+  if (fields_) {
+    fields_->solve(now, grid_);
+  }
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::exchange_at_nodes(double step) {
   for (std::size_t law = 0; law < laws_.nodes().size(); ++law) {
     const auto& n = laws_.nodes()[law];
     const auto relax = [&](std::size_t k, double slope, double capacity) {
@@ -142,6 +150,7 @@ void ParticleHeat<Dim>::relax_points() {
   template void ParticleHeat<Dim>::exchange_with_surroundings(const Step&); \
   template void ParticleHeat<Dim>::find_self_heating(double);               \
   template void ParticleHeat<Dim>::solve_nodes(const Step&);                \
+  template void ParticleHeat<Dim>::exchange_at_nodes(double);               \
   template void ParticleHeat<Dim>::relax_points();
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

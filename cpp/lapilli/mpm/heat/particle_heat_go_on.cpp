@@ -47,6 +47,7 @@ void ParticleHeat<Dim>::go_on(const PointStart& start) {
   if (affine_ && start.state->contains("heat/gradient")) {
     start.fetch("heat/gradient", points_, *gradient_);
   }
+  obstacles_.go_on(start);
   bound_carried_step();
   limited_ordering_ = -1;
   bound_step();

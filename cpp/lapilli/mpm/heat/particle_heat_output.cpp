@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/heat_balance.hpp"
@@ -10,12 +11,17 @@
 namespace lapilli {
 
 template <int Dim>
-void ParticleHeat<Dim>::show(const std::vector<double>& nodal) {
+void ParticleHeat<Dim>::make_room_to_show() {
   if (!output_temperature_) {
     output_temperature_ = std::make_unique<PointArray>(points_, 1);
     output_flux_ = std::make_unique<PointArray>(points_, Dim);
   }
-  grid_.interpolate(points_, nodal, output_temperature_->data(), output_flux_->data());
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::show(const std::vector<double>& nodal) {
+  make_room_to_show();
+  carrier().interpolate(points_, nodal, output_temperature_->data(), output_flux_->data());
   output_is_current_ = true;
 }
 
@@ -58,12 +64,11 @@ void ParticleHeat<Dim>::refresh_output() {
   if (!output_is_current_) {
     order_.update(points_);
     if (sub_cycle_) {
-      grid_.project(points_, order_, capacity_.data(), temperature_now().data(),
-                    affine_ ? gradient_->data() : nullptr);
+      project_to_grid(temperature_now().data());
     } else {
       project_to_grid();
     }
-    show(grid_.temperature);
+    show(carrier().temperature);
   }
   require_finite();
 }
@@ -88,6 +93,7 @@ std::vector<Balance> ParticleHeat<Dim>::balances() const {
   if (source_) {
     balance.entries.push_back({"source", source_->booked()});
   }
+  std::ranges::move(obstacles_.entries(), std::back_inserter(balance.entries));
   const bool ahead = sub_cycle_ && sub_cycle_->ahead() > 0.0;
   for (std::size_t k = 0; ahead && k < balance.entries.size(); ++k) {
     balance.entries[k].in += sub_cycle_->ahead() * sub_cycle_->supply()[k];
@@ -130,6 +136,10 @@ void ParticleHeat<Dim>::release(std::span<const Index> rows) {
 template <int Dim>
 std::vector<std::pair<std::string, double>> ParticleHeat<Dim>::diagnostics() const {
   auto all = surface_diagnostics(laws_, negative_share_);
+  std::ranges::move(obstacles_.diagnostics(), std::back_inserter(all));
+  if (fields_) {
+    std::ranges::move(fields_->diagnostics(), std::back_inserter(all));
+  }
   if (sub_cycle_) {
     all.emplace_back("steps_per_heat_step", sub_cycle_->mean_steps());
   }
@@ -145,6 +155,10 @@ void ParticleHeat<Dim>::save(Archive& archive) const {
   }
   order_.save(archive, "heat/strips");
   laws_.save(archive, "heat/laws");
+  obstacles_.save(archive);
+  if (fields_) {
+    fields_->save(archive);
+  }
   if (surface_) {
     surface_->save(archive, "heat/outside");
   }
@@ -177,6 +191,10 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
   }
   order_.load(archive, "heat/strips");
   laws_.load(archive, "heat/laws");
+  obstacles_.load(archive);
+  if (fields_) {
+    fields_->load(archive);
+  }
   if (surface_) {
     surface_->load(archive, "heat/outside");
   }
@@ -200,7 +218,7 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
   limited_ordering_ = limits[2] != 0.0 ? points_.ordering() : -1;
   output_is_current_ = archive.read_index("heat/shown") != 0;
   if (output_is_current_) {
-    show(grid_.temperature);
+    make_room_to_show();
     archive.read("heat/output_temperature", output_temperature_->values());
     archive.read("heat/output_flux", output_flux_->values());
   }
@@ -209,6 +227,7 @@ void ParticleHeat<Dim>::load(const Archive& archive) {
 #define LAPILLI_INSTANTIATE(Dim)                                                               \
   template void ParticleHeat<Dim>::require_finite() const;                                     \
   template void ParticleHeat<Dim>::require_in_range() const;                                   \
+  template void ParticleHeat<Dim>::make_room_to_show();                                        \
   template void ParticleHeat<Dim>::show(const std::vector<double>& nodal);                     \
   template void ParticleHeat<Dim>::refresh_output();                                           \
   template std::vector<Field> ParticleHeat<Dim>::fields();                                     \

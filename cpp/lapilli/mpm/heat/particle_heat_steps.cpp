@@ -5,6 +5,7 @@
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/mpm/heat/functions_in_time.hpp"
 #include "lapilli/mpm/heat/particle_heat.hpp"
+#include "lapilli/mpm/heat/step_bound.hpp"
 
 namespace lapilli {
 namespace {
@@ -26,6 +27,42 @@ void ParticleHeat<Dim>::follow(SubCycle::Motion motion) {
     sub_cycle_ = std::make_unique<SubCycle>(points_, problem_.grid.cell_size(), std::move(motion));
     output_carried_ = std::make_unique<PointArray>(points_, 1);
   }
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::touch(std::vector<FindFeet<Dim>> feet) {
+  obstacles_.follow(std::move(feet));
+  surface_found_ = {-1, -1};
+}
+
+template <int Dim>
+void ParticleHeat<Dim>::separate(const NodeFields<Dim>& fields, FindTouches touches) {
+  const bool with_surface = !problem_.settings.boundaries.empty() || !problem_.obstacles.empty();
+  fields_ = std::make_unique<HeatFields<Dim>>(problem_, coefficients_, with_surface, fields,
+                                              std::move(touches));
+  limited_ordering_ = -1;
+  bound_step();
+  project_to_grid();
+}
+
+/// The least of the fields, each without the others.
+template <int Dim>
+StepLimit ParticleHeat<Dim>::separate_limit() const {
+  StepLimit least;
+  for (const std::vector<std::size_t>& bodies : fields_->bodies()) {
+    const std::unique_ptr<Points> some = points_of(points_, bodies);
+    std::vector<double> capacity;
+    for (Index row = 0; row < points_.size(); ++row) {
+      if (std::ranges::find(bodies, static_cast<std::size_t>(points_.body()[row])) !=
+          bodies.end()) {
+        capacity.push_back(capacity_[row]);
+      }
+    }
+    const StepLimit limit =
+        explicit_step_limit(*some, problem_, coefficients_, capacity, transfer_);
+    least = limit.hard < least.hard ? limit : least;
+  }
+  return least;
 }
 
 template <int Dim>
@@ -64,7 +101,7 @@ void ParticleHeat<Dim>::take_due(const SubCycle::Due& due) {
 template <int Dim>
 double ParticleHeat<Dim>::exchange_rate() const {
   const bool at_points = problem_.settings.method == FluxMethod::particle;
-  double rate = 0.0;
+  double rate = obstacles_.rate();
   for (const auto& n : laws_.nodes()) {
     double slope = 0.0, capacity = 0.0;
     for (std::size_t k = 0; k < n.node.size(); ++k) {
@@ -86,6 +123,9 @@ std::vector<double> ParticleHeat<Dim>::supplied() const {
   if (source_) {
     heat.push_back(source_->booked());
   }
+  for (const Balance::Entry& entry : obstacles_.entries()) {
+    heat.push_back(entry.in);
+  }
   return heat;
 }
 
@@ -106,20 +146,25 @@ std::vector<std::string> ParticleHeat<Dim>::modelled() const {
   if (sub_cycle_) {
     all.push_back(sub_cycle_->described());
   }
-  if (problem_.bodies.size() > 1) {
+  if (fields_) {
+    all.emplace_back("heat between bodies where they touch");
+  } else if (problem_.bodies.size() > 1) {
     all.emplace_back("heat between bodies less than 1.5 cells apart, as if they touched");
   }
   return all;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                           \
-  template void ParticleHeat<Dim>::follow(SubCycle::Motion);               \
-  template StepLimit ParticleHeat<Dim>::step_limit() const;                \
-  template StepLimit ParticleHeat<Dim>::own_limit() const;                 \
-  template void ParticleHeat<Dim>::take_due(const SubCycle::Due&);         \
-  template double ParticleHeat<Dim>::exchange_rate() const;                \
-  template std::vector<double> ParticleHeat<Dim>::supplied() const;        \
-  template std::vector<double> ParticleHeat<Dim>::temperature_now() const; \
+#define LAPILLI_INSTANTIATE(Dim)                                                  \
+  template void ParticleHeat<Dim>::follow(SubCycle::Motion);                      \
+  template void ParticleHeat<Dim>::separate(const NodeFields<Dim>&, FindTouches); \
+  template StepLimit ParticleHeat<Dim>::separate_limit() const;                   \
+  template void ParticleHeat<Dim>::touch(std::vector<FindFeet<Dim>>);             \
+  template StepLimit ParticleHeat<Dim>::step_limit() const;                       \
+  template StepLimit ParticleHeat<Dim>::own_limit() const;                        \
+  template void ParticleHeat<Dim>::take_due(const SubCycle::Due&);                \
+  template double ParticleHeat<Dim>::exchange_rate() const;                       \
+  template std::vector<double> ParticleHeat<Dim>::supplied() const;               \
+  template std::vector<double> ParticleHeat<Dim>::temperature_now() const;        \
   template std::vector<std::string> ParticleHeat<Dim>::modelled() const;
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

@@ -14,24 +14,34 @@ constexpr Index padding = 4;  // reading a patch may reach past the last node
 template <int Dim>
 PointGridTransfer<Dim>::PointGridTransfer(const Grid<Dim>& grid, ShapeFunction shape,
                                           const HeatCoefficients<Dim>& coefficients,
-                                          bool with_surface)
-    : grid_(grid), shape_(shape), coefficients_(coefficients), with_surface_(with_surface) {
+                                          bool with_surface, const NodeFields<Dim>* fields)
+    : grid_(grid),
+      whole_(grid),
+      fields_(fields != nullptr ? *fields : whole_),
+      shape_(shape),
+      coefficients_(coefficients),
+      with_surface_(with_surface) {
   for (const double width : coefficients.half_width) {
     gimp_.emplace_back(width);
-  }
-  const auto nodes = static_cast<std::size_t>(grid.node_count() + padding);
-  for (auto* values : {&capacity, &temperature, &rate, &increment, &blended}) {
-    values->assign(nodes, 0.0);
   }
   if constexpr (Dim == 2) {
     const bool isotropic = std::all_of(
         coefficients.conductivity.begin(), coefficients.conductivity.end(),
         [](const Mat<2>& k) { return k(0, 0) == k(1, 1) && k(0, 1) == 0.0 && k(1, 0) == 0.0; });
-    if (shape == ShapeFunction::linear && isotropic) {
+    if (shape == ShapeFunction::linear && isotropic && fields == nullptr) {
       stiffness_.emplace(grid);
     }
   }
-  if (with_surface) {
+  resize();
+}
+
+template <int Dim>
+void PointGridTransfer<Dim>::resize() {
+  const auto nodes = static_cast<std::size_t>(fields_.node_count() + padding);
+  for (auto* values : {&capacity, &temperature, &rate, &increment, &blended}) {
+    values->assign(nodes, 0.0);
+  }
+  if (with_surface_) {
     sums.fraction.assign(nodes, 0.0);
     sums.area_vector.assign(nodes, Vec<Dim>::Zero());
     for (auto& values : area_) {
@@ -57,6 +67,12 @@ void PointGridTransfer<Dim>::with_shapes(const Body& body) const {
 
 template <int Dim>
 void PointGridTransfer<Dim>::clear(const CellOrder<Dim>& order) {
+  if (!fields_.is_single()) {
+    resize();
+    first_ = 0;
+    last_ = fields_.node_count();
+    return;
+  }
   const auto clear_range = [this](Index begin, Index end) {
     for (auto* values : {&capacity, &temperature, &rate, &increment}) {
       std::fill(values->begin() + begin, values->begin() + end, 0.0);
@@ -93,16 +109,17 @@ void PointGridTransfer<Dim>::project(const Points& points, const CellOrder<Dim>&
     using Function = std::decay_t<decltype(shape_of(0))>;
     using Patch = PatchWeights<Dim, Function>;
     constexpr bool may_sum_stiffness = Dim == 2 && std::is_same_v<Function, LinearShape>;
-    const PatchNodes<Dim, Function> nodes(grid_);
-    order.for_each_strip([&](Index begin, Index end) {
+    const auto sum_run = [&](const NodeField<Dim>& field, Index begin, Index end) {
+      const PatchNodes<Dim, Function> nodes(field.grid);
       PlaneStiffness::Held stiffness(stiffness_ ? &*stiffness_ : nullptr);
-      HeldPatches<Dim, Function, 2> held(nodes, {capacity.data(), temperature.data()});
-      std::array<double*, 1 + Dim> arrays{sums.fraction.data()};
+      HeldPatches<Dim, Function, 2> held(
+          nodes, {capacity.data() + field.offset, temperature.data() + field.offset});
+      std::array<double*, 1 + Dim> arrays{sums.fraction.data() + field.offset};
       for (int axis = 0; axis < Dim; ++axis) {
-        arrays[1 + axis] = area_[axis].data();
+        arrays[1 + axis] = area_[axis].data() + field.offset;
       }
       HeldPatches<Dim, Function, 1 + Dim> shell(nodes, arrays);
-      for_points(grid_, begin, end, position, shape_of, body, [&](Index row, const auto& w) {
+      for_points(field.grid, begin, end, position, shape_of, body, [&](Index row, const auto& w) {
         held.hold(w.first());
         const double m = point_capacity[row];
         // T_p + G_p . (x_I - x_p) over a patch: constant plus what varies within it.
@@ -150,7 +167,9 @@ void PointGridTransfer<Dim>::project(const Points& points, const CellOrder<Dim>&
       if constexpr (decltype(surface)::value) {
         shell.flush();
       }
-    });
+    };
+    order.for_each_strip(
+        [&](Index begin, Index end) { fields_.for_each_run(body, begin, end, sum_run); });
   };
   with_shapes([&](auto shape_of) {
     const auto choose = [&](auto affine) {
@@ -220,12 +239,13 @@ void PointGridTransfer<Dim>::conduct_by_points(const Points& points, const CellO
   with_shapes([&](auto shape_of) {
     using Function = std::decay_t<decltype(shape_of(0))>;
     using Patch = PatchWeights<Dim, Function>;
-    const PatchNodes<Dim, Function> nodes(grid_);
-    order.for_each_strip([&](Index begin, Index end) {
-      HeldPatches<Dim, Function, 1> held(nodes, {rate.data()});
-      for_points(grid_, begin, end, position, shape_of, body, [&](Index row, const auto& w) {
+    const auto conduct_run = [&](const NodeField<Dim>& field, Index begin, Index end) {
+      const PatchNodes<Dim, Function> nodes(field.grid);
+      const double* nodal = temperature.data() + field.offset;
+      HeldPatches<Dim, Function, 1> held(nodes, {rate.data() + field.offset});
+      for_points(field.grid, begin, end, position, shape_of, body, [&](Index row, const auto& w) {
         held.hold(w.first());
-        const auto parts = parts_at<Dim, Function, true>(nodes, temperature.data(), w);
+        const auto parts = parts_at<Dim, Function, true>(nodes, nodal, w);
         const Double4 added = lapilli::sums(parts[0], parts[1], parts[2], parts[3]);
         const Mat<Dim>& conductivity = coefficients_.conductivity[body[row]];
         double flux[Dim];
@@ -250,7 +270,9 @@ void PointGridTransfer<Dim>::conduct_by_points(const Points& points, const CellO
         }
       });
       held.flush();
-    });
+    };
+    order.for_each_strip(
+        [&](Index begin, Index end) { fields_.for_each_run(body, begin, end, conduct_run); });
   });
 }
 
@@ -262,11 +284,11 @@ void PointGridTransfer<Dim>::update(const Points& points, const std::vector<doub
   const double keep = 1.0 - beta;
   const auto sweep = [&](auto shape_of, auto with_gradient) {
     using Function = std::decay_t<decltype(shape_of(0))>;
-    const PatchNodes<Dim, Function> nodes(grid_);
-    parallel_ranges(points.size(), [&](Index begin, Index end) {
-      for_points(grid_, begin, end, position, shape_of, body, [&](Index row, const auto& w) {
-        const auto parts =
-            parts_at<Dim, Function, decltype(with_gradient)::value>(nodes, nodal.data(), w);
+    const auto update_run = [&](const NodeField<Dim>& field, Index begin, Index end) {
+      const PatchNodes<Dim, Function> nodes(field.grid);
+      const double* from = nodal.data() + field.offset;
+      for_points(field.grid, begin, end, position, shape_of, body, [&](Index row, const auto& w) {
+        const auto parts = parts_at<Dim, Function, decltype(with_gradient)::value>(nodes, from, w);
         const Double4 added = lapilli::sums(parts[0], parts[1], parts[2], parts[3]);
         carried[row] = keep * carried[row] + added[0];
         if constexpr (decltype(with_gradient)::value) {
@@ -276,6 +298,9 @@ void PointGridTransfer<Dim>::update(const Points& points, const std::vector<doub
           }
         }
       });
+    };
+    parallel_ranges(points.size(), [&](Index begin, Index end) {
+      fields_.for_each_run(body, begin, end, update_run);
     });
   };
   with_shapes([&](auto shape_of) {

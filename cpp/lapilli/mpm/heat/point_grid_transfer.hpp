@@ -7,16 +7,20 @@
 #include "lapilli/mpm/heat/plane_stiffness.hpp"
 #include "lapilli/mpm/heat/point_fields.hpp"
 #include "lapilli/mpm/transfer/cell_order.hpp"
+#include "lapilli/mpm/transfer/node_fields.hpp"
 
 namespace lapilli {
 
 /// The sums over points that a step of heat needs, and the nodal arrays they fill. The loops hold
-/// the nodes of consecutive points in registers for as long as they stay the same.
+/// the nodes of consecutive points in registers for as long as they stay the same. Nodes are those
+/// of the grid, or, where there are several `fields`, those by their numbers there.
 template <int Dim>
 class PointGridTransfer {
  public:
   PointGridTransfer(const Grid<Dim>& grid, ShapeFunction shape,
-                    const HeatCoefficients<Dim>& coefficients, bool with_surface);
+                    const HeatCoefficients<Dim>& coefficients, bool with_surface,
+                    const NodeFields<Dim>* fields = nullptr);
+  PointGridTransfer(const PointGridTransfer&) = delete;
 
   /// Capacity C_I = sum m S and, as `temperature`, sum m S (T_p + G_p . (x_I - x_p)) / C_I; with a
   /// surface also sum V S / h^dim and sum V grad S. `gradient` may be null. Clears the rate.
@@ -30,6 +34,9 @@ class PointGridTransfer {
   /// value = S . nodal and flux = -k grad S . nodal at every point.
   void interpolate(const Points& points, const std::vector<double>& nodal, double* value,
                    double* flux);
+
+  /// Zero all but the increments that were blended, on the nodes that points may touch now.
+  void clear(const CellOrder<Dim>& order);
 
   /// Run body(begin, end) over ranges of nodes that points can touch.
   template <class Body>
@@ -47,10 +54,12 @@ class PointGridTransfer {
  private:
   template <class Body>
   void with_shapes(const Body& body) const;
-  void clear(const CellOrder<Dim>& order);
+  void resize();
   void conduct_by_points(const Points& points, const CellOrder<Dim>& order);
 
   Grid<Dim> grid_;
+  NodeFields<Dim> whole_;  // all nodes of the grid
+  const NodeFields<Dim>& fields_;
   ShapeFunction shape_;
   const HeatCoefficients<Dim>& coefficients_;
   bool with_surface_;

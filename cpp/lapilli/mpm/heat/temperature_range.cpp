@@ -28,6 +28,12 @@ TemperatureRange diverged_beyond(const HeatProblem<Dim>& problem, std::span<cons
     low = std::min(low, outside->least());
     high = std::max(high, outside->largest());
   }
+  for (const HeatObstacle& obstacle : problem.obstacles) {
+    if (obstacle.temperature) {
+      low = std::min(low, obstacle.temperature->least());
+      high = std::max(high, obstacle.temperature->largest());
+    }
+  }
   for (const HeatBody& body : problem.bodies) {
     if (!is_zero(body.source)) {
       return {};

@@ -88,6 +88,30 @@ void BodyContacts<Dim>::push(DynamicsData<Dim>& data, double step, NodeSums& sum
     solve(data.nodes.mass(), strain_velocity, step);
   }
   book(data, step, sums);
+  if (keeps_touches_) {
+    find_touches(data);
+  }
+}
+
+template <int Dim>
+void BodyContacts<Dim>::keep_touches(const DynamicsData<Dim>& data) {
+  keeps_touches_ = true;
+  shared_.find(data, groups_.pairs);
+  impulses_.assign(shared_.all().size(), {});
+  find_touches(data);
+}
+
+template <int Dim>
+void BodyContacts<Dim>::find_touches(const DynamicsData<Dim>& data) {
+  touches_.clear();
+  for (std::size_t pair = 0; pair < groups_.pairs.size(); ++pair) {
+    const auto [first, second] = groups_.pairs[pair];
+    for (const SharedNode<Dim>& node : shared_.of(pair)) {
+      if (node.touches || impulses_[&node - shared_.all().data()].push > 0.0) {
+        touches_.push_back({data.grid.node_index(node.at), first, second, node.face});
+      }
+    }
+  }
 }
 
 /// Where bodies press, their strains are those of one: the velocity across is that of the solved
@@ -190,6 +214,17 @@ void BodyContacts<Dim>::save(Archive& archive, const std::string& name) const {
     numbers.insert(numbers.end(), force.data(), force.data() + 3);
   }
   archive.write(name + "/numbers", std::span<const double>(numbers));
+  if (!keeps_touches_) {
+    return;
+  }
+  std::vector<Index> where;
+  std::vector<double> area;
+  for (const BodyTouch& touch : touches_) {
+    where.insert(where.end(), {touch.node, touch.first, touch.second});
+    area.push_back(touch.area);
+  }
+  archive.write(name + "/touches", std::span<const Index>(where));
+  archive.write(name + "/touching_area", std::span<const double>(area));
 }
 
 template <int Dim>
@@ -201,6 +236,16 @@ void BodyContacts<Dim>::load(const Archive& archive, const std::string& name) {
   touching_ = numbers[2];
   for (std::size_t k = 0; k < force_.size(); ++k) {
     force_[k] = Eigen::Map<const Vec3>(numbers.data() + 3 + 3 * k);
+  }
+  if (!keeps_touches_) {
+    return;
+  }
+  const std::vector<Index> where = archive.read_indices(name + "/touches");
+  const std::vector<double> area = archive.read_numbers(name + "/touching_area");
+  touches_.clear();
+  for (std::size_t k = 0; k < area.size(); ++k) {
+    touches_.push_back({where[3 * k], static_cast<int>(where[3 * k + 1]),
+                        static_cast<int>(where[3 * k + 2]), area[k]});
   }
 }
 

@@ -8,6 +8,7 @@
 #include "lapilli/mpm/dynamics/contacts/contact_groups.hpp"
 #include "lapilli/mpm/dynamics/contacts/shared_nodes.hpp"
 #include "lapilli/mpm/dynamics/solve_nodes.hpp"
+#include "lapilli/mpm/transfer/body_touch.hpp"
 
 namespace lapilli {
 
@@ -27,6 +28,11 @@ class BodyContacts {
 
   /// What that means for the velocity projected again (MUSL), which only strains: books nothing.
   void push_second(DynamicsData<Dim>& data, double step);
+
+  /// Keep, from here on, where bodies touch; nodal masses must be there.
+  void keep_touches(const DynamicsData<Dim>& data);
+  /// As found in the last step.
+  const std::vector<BodyTouch>& touches() const { return touches_; }
 
   double friction() const { return friction_; }  // J, lost since the start (negative)
   double impact() const { return impact_; }      // J, the same across the surfaces
@@ -50,6 +56,7 @@ class BodyContacts {
     return law.friction * impulse.push + (grips ? law.adhesion * node.area * step : 0.0);
   }
 
+  void find_touches(const DynamicsData<Dim>& data);
   void improve(const double* mass, double* const (&velocity)[Dim], double step, std::size_t pair,
                std::vector<Impulse>& all);
   std::vector<Impulse> solve(const double* mass, double* const (&velocity)[Dim], double step);
@@ -62,6 +69,8 @@ class BodyContacts {
   std::vector<Vec3> force_;        // N, of a pair on its second field in the last step
   double friction_ = 0.0, impact_ = 0.0;
   double touching_ = 0.0;  // nodes that push
+  bool keeps_touches_ = false;
+  std::vector<BodyTouch> touches_;
 };
 
 /// Contact of these groups, or null where all bodies are one. Splits the fields of `data`.

@@ -263,7 +263,10 @@ void SharedNodes<Dim>::measure(const DynamicsData<Dim>& data, std::pair<int, int
     const double reach_b = depth_b(-moment_b.dot(node.normal) / (b[0] * h));
     node.weight = a[0] * b[0] / (a[0] + b[0]);
     // Alike where faces lie on each other; beyond the end of one there is the other's alone.
-    node.area = std::min(std::abs(grad_a.dot(node.normal)), std::abs(grad_b.dot(node.normal)));
+    const double face_a = std::abs(grad_a.dot(node.normal)),
+                 face_b = std::abs(grad_b.dot(node.normal));
+    node.area = std::min(face_a, face_b);
+    node.face = std::min(0.5 * (face_a + face_b), 2.0 * node.area);
     weighed[k] = node.weight * Vec<2>(-h * (reach_a + reach_b), 1.0);
   });
   // Smooth, and add the smoothed rest: a mean alone lies off a curved surface. One gap for all

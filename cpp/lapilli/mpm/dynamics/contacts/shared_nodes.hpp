@@ -17,6 +17,7 @@ struct SharedNode {
   Vec<Dim> normal = Vec<Dim>::Zero();  // from the first to the second
   double gap = 0.0;                    // m, between their surfaces; below 0: overlap
   double area = 0.0;                   // m^(Dim-1) of the surface, its share
+  double face = 0.0;                   // m^(Dim-1), the mean of both, but for ends of one
   bool touches = false;                // whether the gap is nothing: nodes beside one that presses
   double weight = 0.0;                 // reduced volume, m^Dim
 };

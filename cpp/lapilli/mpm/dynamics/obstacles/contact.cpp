@@ -84,7 +84,7 @@ Vec<Dim> improve(Contact<Dim>& contact, double friction, double* const (&velocit
   const Vec<Dim> before = contact.impulse();
   const Vec<Dim> relative = contact.at_foot(velocity) - contact.wall;
   const double normal = relative.dot(contact.normal);
-  contact.push = std::max(0.0, contact.push + contact.mass * (contact.bound - normal));
+  contact.push = contact.possible(contact.push + contact.mass * (contact.bound - normal));
   contact.drag -= contact.mass * (relative - normal * contact.normal);
   contact.drag -= contact.drag.dot(contact.normal) * contact.normal;
   const double limit = contact.drag_limit(friction);
@@ -125,7 +125,7 @@ void match_contacts(const std::vector<Contact<Dim>>& contacts, const double* mas
     parallel_for(static_cast<Index>(contacts.size()), [&](Index k) {
       const Contact<Dim>& contact = contacts[k];
       change[k] = Vec<Dim>::Zero();
-      if (contact.push > 0.0) {
+      if (contact.acts()) {
         const double across = (contact.solved - contact.at_foot(velocity)).dot(contact.normal);
         change[k] = contact.mass * across * contact.normal;
       }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "lapilli/core/vector.hpp"
@@ -18,6 +20,7 @@ struct Contact {
   Vec<Dim> foot, normal, wall;           // m; out of the obstacle; its velocity there, m/s
   double bound = 0.0;                    // m/s, least normal speed that leaves an open gap open
   double grip = 0.0;                     // N s that adhesion bears in this step
+  bool bonded = false;                   // it cannot part, and may pull
   int count = 0;                         // of nodes
   Index node[corners];                   //
   double weight[corners];                // linear functions at the foot; their sum is 1
@@ -40,8 +43,14 @@ struct Contact {
   /// N s, that it bears along the surface.
   double drag_limit(double friction) const {
     const double bears = felt();
-    return bears > 0.0 ? friction * bears + grip : 0.0;
+    if (bonded && std::isinf(friction)) {
+      return friction;
+    }
+    return bears > 0.0 ? friction * bears + grip : bonded ? grip : 0.0;
   }
+  /// N s, `push` or the nearest that it can give.
+  double possible(double wanted) const { return bonded ? wanted : std::max(0.0, wanted); }
+  bool acts() const { return bonded ? push != 0.0 : push > 0.0; }
 
   /// A nodal quantity at the foot.
   Vec<Dim> at_foot(double* const (&nodal)[Dim]) const {

@@ -122,7 +122,7 @@ void hold_light_nodes(std::vector<Contact<Dim>>& nodes, const double* mass,
     contact.wall = motion.velocity(foot).template head<Dim>();
     const Vec<Dim> relative = contact.at_foot(velocity) - contact.wall;
     const double normal = relative.dot(contact.normal), m = mass[contact.node[0]];
-    contact.push = std::max(0.0, m * (contact.bound - normal));
+    contact.push = contact.possible(m * (contact.bound - normal));
     contacts[contact.nearest].beside += contact.push;
     for (int axis = 0; axis < Dim; ++axis) {
       velocity[axis][contact.node[0]] += contact.impulse()[axis] / m;
@@ -139,7 +139,7 @@ void hold_light_nodes(std::vector<Contact<Dim>>& nodes, const double* mass,
 template <int Dim>
 void match_light_nodes(const std::vector<Contact<Dim>>& nodes, double* const (&velocity)[Dim]) {
   for (const Contact<Dim>& contact : nodes) {
-    if (contact.push > 0.0) {
+    if (contact.acts()) {
       const double across = (contact.solved - contact.at_foot(velocity)).dot(contact.normal);
       for (int axis = 0; axis < Dim; ++axis) {
         velocity[axis][contact.node[0]] += across * contact.normal[axis];

@@ -47,7 +47,26 @@ void check_free(const Obstacle& obstacle, int dimension, const std::string& wher
   }
 }
 
+/// Keys of obstacles that exchange heat.
+void check_heat(const Obstacle& obstacle, const std::string& where) {
+  if (!obstacle.temperature) {
+    require(!obstacle.conductance && !obstacle.heat_capacity, where,
+            ": conductance and heat_capacity belong to an obstacle with a temperature");
+    return;
+  }
+  require(!obstacle.temperature->is_function(), where,
+          ".temperature must be a number or a table in time: an obstacle has one");
+  require(!obstacle.conductance || !obstacle.conductance->is_function(), where,
+          ".conductance must be a number or a table in time");
+  require(!obstacle.heat_capacity || obstacle.temperature->is_constant(), where,
+          ".temperature is that at the start where there is a heat_capacity: a number, no table");
+}
+
 }  // namespace
+
+std::string name_of(const Obstacle& obstacle, std::size_t index) {
+  return obstacle.name.empty() ? message("obstacle ", index) : obstacle.name;
+}
 
 void check(const Obstacle& obstacle, int dimension, int index) {
   const std::string where = message("dynamics.obstacles.", index);
@@ -69,6 +88,7 @@ void check(const Obstacle& obstacle, int dimension, int index) {
   require(!obstacle.factor.is_function(), where,
           ".factor must be a number or a table in time: a function of place moves nothing rigid");
   check_free(obstacle, dimension, where);
+  check_heat(obstacle, where);
 }
 
 }  // namespace lapilli

@@ -11,7 +11,7 @@
 
 namespace lapilli {
 
-/// How an obstacle resists what slides along it. Material may part from every one.
+/// How an obstacle resists what slides along it.
 enum class ObstacleContact { frictional, slip, no_slip };
 
 template <>
@@ -30,6 +30,7 @@ struct Obstacle {
   ObstacleContact contact = ObstacleContact::frictional;
   double friction = 0.0;                    // coefficient of Coulomb friction
   double adhesion = 0.0;                    // Pa of shear on top of it, while in contact
+  bool separation = true;                   // whether material that has touched it may part
   std::vector<double> velocity;             // m/s; empty: none
   double revolutions_per_second = 0.0;      // 1/s, positive counter-clockwise
   std::vector<double> center;               // m, of the turning, at the start; empty: the origin
@@ -39,17 +40,22 @@ struct Obstacle {
   std::vector<double> inertia;    // kg m2 about its centre: one number in 2D, about x, y, z in 3D
   std::vector<Value> force;       // N, besides weight and contacts; empty: none
   std::vector<std::string> held;  // of a free one: x, y, z, rotation go on as they start
+  std::optional<Value> temperature;     // K, of its surface; absent: no heat passes
+  std::optional<Value> conductance;     // W/(m^2 K), of the contact; absent: perfect
+  std::optional<double> heat_capacity;  // J/K (per metre of depth in 2D), of one that heat warms
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit(Key("name").text("name of the obstacle in diagnostics and messages"), self.name);
     visit(Key("shape").required().text("what material cannot enter, any shape"), self.shape);
-    visit(Key("contact").text("frictional, slip or no_slip; material may part from all"),
-          self.contact);
+    visit(Key("contact").text("frictional, slip or no_slip"), self.contact);
     visit(Key("friction").non_negative().text("coefficient of Coulomb friction, of frictional"),
           self.friction);
     visit(Key("adhesion").unit("Pa").non_negative().text("shear it bears beyond friction"),
           self.adhesion);
+    visit(Key("separation")
+              .text("whether material that has touched it may part from it; else it can pull"),
+          self.separation);
     visit(Key("velocity")
               .unit("m/s")
               .length(0, 3)
@@ -78,8 +84,28 @@ struct Obstacle {
     visit(Key("held").text(
               "of one with a mass: \"x\", \"y\", \"z\", \"rotation\" that go on as at the start"),
           self.held);
+    visit(Key("temperature")
+              .unit("K")
+              .text("of its surface, a number or a table in time; absent: no heat passes"),
+          self.temperature);
+    visit(Key("conductance")
+              .unit("W/(m^2 K)")
+              .non_negative()
+              .absent("perfect")
+              .text("thermal contact conductance where material touches it: flux over the jump of "
+                    "the temperature, a number or a table in time"),
+          self.conductance);
+    visit(Key("heat_capacity")
+              .unit("J/K")
+              .positive()
+              .text("of one that the heat it takes warms, from its temperature on, in 2D per metre "
+                    "of depth; absent: its temperature stays as given"),
+          self.heat_capacity);
   }
 };
+
+/// What it is called where it has no name of its own: by its place among all.
+std::string name_of(const Obstacle& obstacle, std::size_t index);
 
 /// Throws std::invalid_argument naming the first number of obstacle `index` out of range. Prepares
 /// its shape for queries.

@@ -8,7 +8,6 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/friction_lag.hpp"
 #include "lapilli/mpm/dynamics/obstacles/light_nodes.hpp"
-#include "lapilli/mpm/dynamics/touching_gap.hpp"
 #include "lapilli/mpm/transfer/point_start.hpp"
 
 namespace lapilli {
@@ -74,110 +73,12 @@ void ObstacleContacts<Dim>::require_nothing_inside(const DynamicsData<Dim>& data
           deepest < 0 ? 0 : data.points.id()[deepest], " lies ", depth, " m deep in it");
 }
 
-/// Weights of linear functions at a place on the nodes that carry mass, less on light ones; false
-/// where there are none.
-template <int Dim>
-bool ObstacleContacts<Dim>::place_on_nodes(const DynamicsData<Dim>& data, const Vec<Dim>& place,
-                                           Contact<Dim>& contact) const {
-  const NodeField<Dim>& field = data.fields.of_body(data.points.body()[contact.row]);
-  const Grid<Dim>& grid = field.grid;
-  const double* mass = data.nodes.mass();
-  double share[Dim];
-  Index base = field.offset;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const double at = (place[axis] - grid.origin()[axis]) * grid.inverse_cell_size();
-    const auto cell = static_cast<Index>(std::floor(at));
-    if (cell < 0 || cell + 1 >= grid.nodes(axis)) {
-      return false;
-    }
-    share[axis] = at - static_cast<double>(cell);
-    base += cell * grid.node_stride(axis);
-  }
-  constexpr double least_weight = 1e-9, least_sum = 1e-3;
-  double sum = 0.0, heaviest = 0.0;
-  for (int corner = 0; corner < Contact<Dim>::corners; ++corner) {
-    Index node = base;
-    double weight = 1.0;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const bool upper = (corner >> axis) & 1;
-      node += upper ? grid.node_stride(axis) : 0;
-      weight *= upper ? share[axis] : 1.0 - share[axis];
-    }
-    const bool touched = node >= data.nodes.first() && node < data.nodes.last();
-    if (touched && weight > least_weight && mass[node] > data.empty_node) {
-      contact.node[contact.count] = node;
-      contact.weight[contact.count++] = weight;
-      heaviest = std::max(heaviest, mass[node]);
-    }
-  }
-  for (int k = 0; k < contact.count; ++k) {
-    contact.weight[k] *= std::min(1.0, mass[contact.node[k]] / (light_node * heaviest));
-    sum += contact.weight[k];
-  }
-  for (int k = 0; k < contact.count; ++k) {
-    contact.weight[k] /= sum;
-  }
-  return sum > least_sum;
-}
-
-template <int Dim>
-Contact<Dim> ObstacleContacts<Dim>::contact_at(const DynamicsData<Dim>& data, Index row,
-                                               const Vec3& x, double gap, double step) const {
-  const double skin = skins_.of(row);
-  const Vec3 normal = motion_.turned(gradient(obstacle_.shape, motion_.reference(x)));
-  Contact<Dim> contact;
-  contact.row = row;
-  contact.normal = normal.head<Dim>().normalized();
-  const Vec3 foot = x - gap * normal;
-  contact.foot = foot.head<Dim>();
-  contact.wall = motion_.velocity(foot).template head<Dim>();
-  contact.bound = -std::max(0.0, gap - skin) / step;
-  contact.share = 1.0 - std::exp(-step / lags_[data.points.body()[row]]);
-  const double face = std::as_const(data.points).volume()[row] / (2.0 * skin);  // m^(Dim-1)
-  const bool touches = gap <= skin + touching_gap * data.grid.cell_size();
-  contact.grip = touches ? obstacle_.adhesion * face * step : 0.0;
-  return contact;
-}
-
-template <int Dim>
-void ObstacleContacts<Dim>::find(const DynamicsData<Dim>& data, double step, double travelled,
-                                 double reach) {
-  const double h = data.grid.cell_size();
-  const Index count = data.points.size();
-  std::vector<std::vector<Contact<Dim>>> found(
-      static_cast<std::size_t>((count + piece_rows - 1) / piece_rows));
-  parallel_ranges(count, [&](Index begin, Index end) {
-    for (Index row = begin; row < end; ++row) {
-      const double zone = skins_.of(row) + 0.5 * h;
-      double& clear = memory_[row * kept];  // what it was, plus what had been travelled then
-      if (clear - travelled > zone + reach) {
-        continue;
-      }
-      const Vec3 x = in_space<Dim>(data.points.template position<Dim>(row));
-      const double gap = clearance(x);
-      clear = gap + travelled - reach;
-      if (gap < zone) {
-        Contact<Dim> contact = contact_at(data, row, x, gap, step);
-        // One that is inside acts where it is: nodes at the surface alone would not hold it.
-        const Vec<Dim> at = gap < 0.0 ? Vec<Dim>(x.template head<Dim>()) : contact.foot;
-        if (place_on_nodes(data, at, contact)) {
-          found[begin / piece_rows].push_back(contact);
-        }
-      }
-    }
-  });
-  contacts_.clear();
-  for (const auto& some : found) {
-    contacts_.insert(contacts_.end(), some.begin(), some.end());
-  }
-}
-
 /// Impulses of the step before, those of points that were in contact then.
 template <int Dim>
 void ObstacleContacts<Dim>::start_from(double scale) {
   for (Contact<Dim>& contact : contacts_) {
     const double* memory = memory_.data() + contact.row * kept;
-    const bool known = memory[stamp] == steps_ && steps_ > 0.0;
+    const bool known = std::floor(memory[stamp]) == steps_ && steps_ > 0.0;
     contact.push = known ? scale * memory[held] : 0.0;
     contact.past = known ? scale * memory[held + 1 + Dim] : -1.0;
     for (int axis = 0; axis < Dim; ++axis) {
@@ -192,7 +93,7 @@ void ObstacleContacts<Dim>::keep() {
     double* memory = memory_.data() + contact.row * kept;
     memory[held] = contact.push;
     std::copy_n(contact.drag.data(), Dim, memory + held + 1);
-    memory[held + 1 + Dim] = contact.felt();
+    memory[held + 1 + Dim] = std::max(0.0, contact.felt());
   }
 }
 
@@ -261,14 +162,14 @@ template <int Dim>
 void ObstacleContacts<Dim>::finish_step() {
   steps_ += 1.0;
   for (const Contact<Dim>& contact : contacts_) {
-    memory_[contact.row * kept + stamp] = steps_;
+    memory_[contact.row * kept + stamp] = steps_ + (contact.bonded ? bond : 0.0);
   }
 }
 
 template <int Dim>
 Index ObstacleContacts<Dim>::touching() const {
   return std::count_if(contacts_.begin(), contacts_.end(),
-                       [](const Contact<Dim>& contact) { return contact.push > 0.0; });
+                       [](const Contact<Dim>& contact) { return contact.acts(); });
 }
 
 template <int Dim>

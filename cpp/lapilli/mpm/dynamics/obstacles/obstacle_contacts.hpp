@@ -7,6 +7,7 @@
 #include "lapilli/mpm/dynamics/obstacles/contact.hpp"
 #include "lapilli/mpm/dynamics/obstacles/point_skins.hpp"
 #include "lapilli/mpm/dynamics/obstacles/rigid_motion.hpp"
+#include "lapilli/mpm/surface/surface_foot.hpp"
 
 namespace lapilli {
 
@@ -24,6 +25,9 @@ class ObstacleContacts {
   ObstacleContacts(const DynamicsData<Dim>& data, const Obstacle& obstacle, std::string name,
                    const PointSkins& skins, const PointStart* before = nullptr, int earlier = -1);
 
+  /// Where points touch it, where they are. None has moved farther than `travelled` (m, since the
+  /// start).
+  std::vector<SurfaceFoot<Dim>> feet(const DynamicsData<Dim>& data, double travelled) const;
   /// Contacts of the points where they are. No point has moved farther than `travelled` (m, since
   /// the start) plus `reach`.
   void find(const DynamicsData<Dim>& data, double step, double travelled, double reach);
@@ -59,8 +63,12 @@ class ObstacleContacts {
  private:
   // Of a point: clearance, the step it belongs to, and its impulse (push, drag, felt).
   static constexpr int stamp = 1, held = 2, kept = 4 + Dim;
+  static constexpr double bond = 0.5;  // on top of the step, of one that cannot part
 
   void require_nothing_inside(const DynamicsData<Dim>& data) const;
+  template <class Found, class Take>
+  std::vector<Found> near(const DynamicsData<Dim>& data, const Take& take) const;
+  double face_of(const DynamicsData<Dim>& data, Index row) const;
   double clearance(const Vec3& x) const { return distance(obstacle_.shape, motion_.reference(x)); }
   bool place_on_nodes(const DynamicsData<Dim>& data, const Vec<Dim>& place,
                       Contact<Dim>& contact) const;

@@ -45,7 +45,7 @@ Obstacles<Dim>::Obstacles(const DynamicsData<Dim>& data, const DynamicsProblem<D
   int index = 0;
   const PointStart* before = problem.start.get();
   for (const Obstacle& obstacle : data.settings.obstacles) {
-    const std::string name = obstacle.name.empty() ? message("obstacle ", index) : obstacle.name;
+    const std::string name = name_of(obstacle, static_cast<std::size_t>(index));
     const int earlier =
         before != nullptr && !before->obstacle.empty() ? before->obstacle[index] : -1;
     each_.push_back(

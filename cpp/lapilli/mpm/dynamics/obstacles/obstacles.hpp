@@ -23,6 +23,10 @@ class Obstacles {
   /// What that means for the velocity projected again (MUSL): its strain is that of the solved
   /// nodes, or confined bodies would gain energy.
   void push_second(DynamicsData<Dim>& data);
+  /// Where points touch one of them.
+  std::vector<SurfaceFoot<Dim>> feet(const DynamicsData<Dim>& data, std::size_t obstacle) const {
+    return each_[obstacle]->feet(data, travelled_);
+  }
   /// Move the obstacles to the end of the step, in which points moved at most `moved`; `ahead`:
   /// from the middle of it. `damping`: share of local damping.
   void finish_step(const Step& step, double moved, bool ahead, double damping);

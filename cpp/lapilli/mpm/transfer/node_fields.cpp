@@ -1,4 +1,4 @@
-#include "lapilli/mpm/dynamics/node_fields.hpp"
+#include "lapilli/mpm/transfer/node_fields.hpp"
 
 #include <algorithm>
 
@@ -101,6 +101,7 @@ void NodeFields<Dim>::load(const Archive& archive, const std::string& name) {
   }
 }
 
+template class NodeFields<1>;
 template class NodeFields<2>;
 template class NodeFields<3>;
 
