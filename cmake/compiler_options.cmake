@@ -1,6 +1,4 @@
-include(CheckCXXCompilerFlag)
-
-# Flags of every target; one processor level throughout, so that Eigen's types keep one layout.
+# Flags of every target.
 function(lapilli_compiler_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                                            -Werror)
@@ -10,10 +8,11 @@ function(lapilli_compiler_options target)
   endif()
   target_compile_options(${target} PRIVATE -fno-math-errno -ffp-contract=off)
   if(LAPILLI_MARCH)
-    check_cxx_compiler_flag(-march=${LAPILLI_MARCH} LAPILLI_MARCH_WORKS)
-    if(LAPILLI_MARCH_WORKS)
-      target_compile_options(${target} PRIVATE -march=${LAPILLI_MARCH})
-    endif()
+    target_compile_options(${target} PRIVATE -march=${LAPILLI_MARCH})
+  endif()
+  if(NOT LAPILLI_MARCH MATCHES "-v[34]$")
+    # Without AVX four numbers at once are handed over in memory; both sides are of one level.
+    target_compile_options(${target} PRIVATE -Wno-psabi)
   endif()
   if(LAPILLI_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${LAPILLI_SANITIZE} -fno-omit-frame-pointer

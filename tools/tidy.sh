@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # clang-tidy over the sources that git knows under the given folders (default: all C++ of the
-# library, the executable and the bindings), with the flags of build/release.
+# library, the executable and the bindings), with the flags of a release, every file by itself.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-build=build/release
+build=build/alone
+cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DLAPILLI_UNITY=OFF -DLAPILLI_TESTS=OFF \
+  -DLAPILLI_PYTHON=ON -DPython_EXECUTABLE="$PWD/.venv/bin/python" >/dev/null
 # Options of GCC that clang does not know.
 flags=build/tidy
 mkdir -p "$flags"

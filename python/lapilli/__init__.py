@@ -10,6 +10,18 @@ if "OMP_WAIT_POLICY" not in os.environ:
     os.environ["OMP_WAIT_POLICY"] = "passive"
     os.environ.setdefault("GOMP_SPINCOUNT", "5000")
 
+try:
+    import lapilli._core  # noqa: F401
+except ImportError as error:
+    # What the loader of the C library says of a module for another processor level.
+    if "ISA level" not in str(error):
+        raise
+    raise ImportError(
+        "lapilli was built for a processor of a higher level than this one (AVX2 is missing): "
+        "build it here, where it takes the level of this processor, or install the wheel, which "
+        f"holds kernels for every processor ({error})"
+    ) from error
+
 from lapilli._core import (
     Annulus,
     Balance,

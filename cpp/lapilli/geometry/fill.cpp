@@ -14,7 +14,7 @@ namespace {
 // A site this near to the surface, as a share of the spacing, counts as inside.
 constexpr double on_surface = 1e-9;
 
-void append(FilledPoints& points, const Vec3& at, double volume) {
+void add_point(FilledPoints& points, const Vec3& at, double volume) {
   points.position.insert(points.position.end(), at.data(), at.data() + points.dimension);
   points.volume.push_back(volume);
 }
@@ -54,7 +54,7 @@ void fill_lattice(const Shape& shape, const Sites& sites, const FillOptions& opt
   sites.each([&](const Sites::Site& site) {
     const Vec3 there = sites.to_scene(sites.middle(site));
     if (distance(shape, there) <= tolerance) {
-      append(
+      add_point(
           points,
           options.jitter > 0.0 ? jittered(shape, sites, site, sites.middle(site), options) : there,
           volume);
@@ -69,10 +69,10 @@ void fill_clipped(const Shape& shape, const Sites& sites, const FillOptions& opt
   merge_slivers(boxes, options.smallest_volume * sites.box_volume());
   for (const BoxPart& box : boxes) {
     const Vec3 middle = box.part.is_whole ? sites.middle(box.site) : box.part.centroid;
-    append(points,
-           options.jitter > 0.0 ? jittered(shape, sites, box.site, middle, options)
-                                : sites.to_scene(middle),
-           box.part.is_whole ? sites.box_volume() : box.part.volume);
+    add_point(points,
+              options.jitter > 0.0 ? jittered(shape, sites, box.site, middle, options)
+                                   : sites.to_scene(middle),
+              box.part.is_whole ? sites.box_volume() : box.part.volume);
   }
 }
 
@@ -92,7 +92,7 @@ void fill_random(const Shape& shape, const Sites& sites, const FillOptions& opti
       at[axis] = random.uniform(box.lower[axis], box.upper[axis]);
     }
     if (distance(shape, at) <= 0.0) {
-      append(points, at, whole / static_cast<double>(count));
+      add_point(points, at, whole / static_cast<double>(count));
     }
   }
 }

@@ -11,8 +11,8 @@ namespace {
 
 using Word = std::uint64_t;
 
-constexpr Word mark = 0x6c6165736c70616c;  // "laplseal" read as one little-endian word
-constexpr std::size_t fixed_words = 5;     // size, checksum | own checksum, pieces, mark
+constexpr Word seal_mark = 0x6c6165736c70616c;  // "laplseal" read as one little-endian word
+constexpr std::size_t fixed_words = 5;          // size, checksum | own checksum, pieces, seal_mark
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void FileSeal::write_to(File& file) const {
   }
   words.push_back(pieces.size());
   words.push_back(checksum_of(words));
-  words.push_back(mark);
+  words.push_back(seal_mark);
   file.write_at(hdf5_size, std::as_bytes(std::span(words)));
 }
 
@@ -64,9 +64,9 @@ std::optional<FileSeal> FileSeal::find(const File& file) {
   if (bytes < static_cast<std::int64_t>(fixed_words) * word) {
     return std::nullopt;
   }
-  Word tail[tail_words];  // pieces, own checksum, mark
+  Word tail[tail_words];  // pieces, own checksum, seal_mark
   file.read_at(bytes - tail_words * word, std::as_writable_bytes(std::span(tail)));
-  if (tail[2] != mark || tail[0] > static_cast<Word>(bytes / (2 * word))) {
+  if (tail[2] != seal_mark || tail[0] > static_cast<Word>(bytes / (2 * word))) {
     return std::nullopt;
   }
   std::vector<Word> words(2 * tail[0] + fixed_words);

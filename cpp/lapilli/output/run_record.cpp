@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "lapilli/core/build_info.hpp"
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/says_model.hpp"
 #include "lapilli/core/snake_case.hpp"
@@ -181,6 +182,7 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
   json.member("started", record.started);
   json.member("written", utc_now());
   json.member("compiler", compiler);
+  json.member("kernel_set", build_info().kernel_set);
   json.member("threads", thread_count());
   json.member("frames_file", record.frames_file);
   json.member("frames", record.frames);

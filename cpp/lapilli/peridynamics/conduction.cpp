@@ -9,7 +9,7 @@
 namespace lapilli {
 namespace {
 
-constexpr Index piece = 128;  // points worked on as one piece
+constexpr Index rows_a_task = 128;  // points worked on as one piece
 
 /// Whether a wall's heat is a flux times the area it shares with the fluid.
 bool acts_by_area(const FluidWall& wall) {
@@ -105,10 +105,11 @@ void Conduction<Dim>::rates(const double* temperature, const std::vector<WallSta
                             double* rate, std::vector<double>& from_walls) const {
   const std::int32_t* neighbours = families().neighbours();
   const auto walls = static_cast<Index>(surface.size());
-  const Index tasks = (points_.size() + piece - 1) / piece;
+  const Index tasks = (points_.size() + rows_a_task - 1) / rows_a_task;
   std::vector<double> partial(static_cast<std::size_t>(tasks * walls), 0.0);
   parallel_runs(tasks, [&](Index task) {
-    for (Index i = task * piece; i < std::min(points_.size(), (task + 1) * piece); ++i) {
+    for (Index i = task * rows_a_task; i < std::min(points_.size(), (task + 1) * rows_a_task);
+         ++i) {
       rate[i] = 0.0;
       if (!families().owns(i)) {
         continue;

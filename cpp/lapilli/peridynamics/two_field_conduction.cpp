@@ -9,7 +9,7 @@
 namespace lapilli {
 namespace {
 
-std::vector<FamilyRole> roles_of(const WallSurface& walls) {
+std::vector<FamilyRole> thermal_roles_of(const WallSurface& walls) {
   std::vector<FamilyRole> roles;
   for (Index body = 0; body < walls.bodies(); ++body) {
     const int wall = walls.wall_of_body(body);
@@ -31,7 +31,7 @@ TwoFieldConduction<Dim>::TwoFieldConduction(Points& points, const WallSurface& w
       conductivity_(conductivity),
       weight_{settings.influence, settings.widest_horizon() * walls.spacing(), walls.spacing(),
               true},
-      families_(points, weight_.horizon, settings.skin * walls.spacing(), roles_of(walls)) {
+      families_(points, weight_.horizon, settings.skin * walls.spacing(), thermal_roles_of(walls)) {
   for (const FluidWall& wall : walls.walls()) {
     require(wall.settings.heat != WallHeat::convection, "wall '", wall.settings.name, "' has ",
             name_of(wall.settings.heat), ", which the laplacian '", name_of(settings.laplacian),

@@ -30,10 +30,10 @@ class KeyTables {
       table += message("| `kind` | text | | `\"", kind_word(heading), "\"` | required | |\n");
     }
     const T defaults{};
-    auto row = [&](const Key& key, const auto& member) { table += row_of(key, member); };
+    RowWriter row{table};
     T::describe(defaults, row);
     tables_.push_back(table);
-    auto deeper = [&](const Key& key, const auto& member) { follow(key, member, heading); };
+    Follower deeper{*this, heading};
     T::describe(defaults, deeper);
   }
 
@@ -58,6 +58,26 @@ class KeyTables {
   }
 
  private:
+  struct RowWriter {
+    std::string& table;
+    template <class T>
+    void operator()(const Key& key, const T& member) {
+      table += row_of(key, type_of(member, key), choices_of(member, key), default_of(member, key));
+    }
+  };
+
+  /// Adds the tables of the structs that members hold.
+  struct Follower {
+    KeyTables& tables;
+    const std::string& heading;
+    template <class T>
+    void operator()(const Key& key, const T& member) {
+      if constexpr (holds_structs<T>) {
+        tables.follow(key, member, heading);
+      }
+    }
+  };
+
   static std::string kind_word(const std::string& heading) {
     return heading.substr(heading.rfind(' ') + 1);
   }
@@ -118,11 +138,11 @@ class KeyTables {
 
   template <class T>
   static std::string default_of(const T& member, const Key& key) {
-    if (key.is_required) {
-      return "required";
-    }
-    const Tree tree = TreeWriter(Members::all, InMemory::named).write(member, key, key.name);
-    if (tree.is_absent() || tree.table()) {
+    return key.is_required ? "required" : in_toml(TreeWriter::write_default(member, key));
+  }
+
+  static std::string in_toml(const Tree& tree) {
+    if (tree.is_absent()) {
       return "";
     }
     std::string line = emit_toml({Tree::Table{{"x", {}, tree}}, {}});
@@ -130,11 +150,10 @@ class KeyTables {
     return line == "\"\"" || line == "[]" ? "" : message("`", line, "`");
   }
 
-  template <class T>
-  static std::string row_of(const Key& key, const T& member) {
-    return message("| `", key.name, "` | ", type_of(member, key), " | ", key.of_unit, " | ",
-                   choices_of(member, key), " | ", default_of(member, key), " | ", key.meaning,
-                   " |\n");
+  static std::string row_of(const Key& key, const std::string& type, const std::string& choices,
+                            const std::string& default_value) {
+    return message("| `", key.name, "` | ", type, " | ", key.of_unit, " | ", choices, " | ",
+                   default_value, " | ", key.meaning, " |\n");
   }
 
   // Headings: "[grid]", "[[bodies]]", "[bodies.geostatic]", "[[heat.boundaries]] convection",

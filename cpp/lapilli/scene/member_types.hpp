@@ -3,6 +3,7 @@
 #include <concepts>
 #include <functional>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -11,12 +12,26 @@
 
 namespace lapilli {
 
-// What visitors of describe() need to know about the type of a member.
+// What visitors of describe() need to know about the type of a member. A visitor is a class of its
+// own, not a lambda of the function that visits: its body is then compiled once for every type of
+// member, not once for every member of every struct.
 
 /// A visitor that does nothing; it also stands for any visitor in the concepts below.
 struct IgnoreMembers {
   template <class T>
   void operator()(const Key&, T&) {}
+};
+
+/// Any member: a visitor that takes one looks at keys only.
+struct AnyMember {
+  template <class T>
+  AnyMember(const T&) {}  // NOLINT: whatever there is
+};
+
+/// Gathers the names of the members of described structs.
+struct MemberNames {
+  std::vector<std::string> names;
+  void operator()(const Key& key, AnyMember);
 };
 
 /// A struct with describe().
@@ -71,6 +86,14 @@ concept Indirect = !std::is_pointer_v<T> && requires(const T& t) {
 };
 template <Indirect T>
 using Held = std::remove_cvref_t<decltype(*std::declval<const T&>())>;
+
+/// Whether a member is, or lists, structs with keys of their own.
+template <class T>
+inline constexpr bool holds_structs = Described<T> || Kinded<T> || Indirect<T>;
+template <class T>
+inline constexpr bool holds_structs<std::optional<T>> = holds_structs<T>;
+template <class T>
+inline constexpr bool holds_structs<std::vector<T>> = holds_structs<T>;
 
 /// Call action(std::type_identity<Alternative>()) for every alternative of a variant type.
 template <class... T, class Action>

@@ -1,6 +1,8 @@
 #include <charconv>
+#include <optional>
 #include <span>
 
+#include "lapilli/scene/element_names.hpp"
 #include "lapilli/scene/scene_file.hpp"
 #include "lapilli/scene/toml_source.hpp"
 #include "lapilli/scene/tree_reader.hpp"
@@ -133,76 +135,77 @@ class Setter {
   }
 
  private:
+  /// Sets the member that the first word of a path names.
+  struct MemberSetter {
+    Setter& setter;
+    const std::string& at;
+    Path rest;
+    bool found = false;
+    std::vector<std::string> allowed{};
+
+    template <class T>
+    void operator()(const Key& key, T& member) {
+      if (is_named(key)) {
+        setter.set(member, key, joined_path(at, key.name), rest.subspan(1));
+      }
+    }
+    bool is_named(const Key& key) {
+      allowed.emplace_back(key.name);
+      const bool named = !found && rest.front() == key.name;
+      found = found || named;
+      return named;
+    }
+  };
+
   template <Described T>
   void set_member(T& object, const std::string& at, Path rest) {
-    bool found = false;
-    std::vector<std::string> allowed;
-    auto visit = [&](const Key& key, auto& member) {
-      allowed.push_back(key.name);
-      if (!found && rest.front() == key.name) {
-        found = true;
-        set(member, key, joined_path(at, key.name), rest.subspan(1));
-      }
-    };
+    MemberSetter visit{*this, at, rest};
     T::describe(object, visit);
-    require(found, label_, joined_path(at, rest.front()), " is no known key",
-            suggestion(rest.front(), allowed));
+    require(visit.found, label_, joined_path(at, rest.front()), " is no known key",
+            suggestion(rest.front(), visit.allowed));
   }
 
   template <class T>
   void set_element(std::vector<T>& list, const Key& key, const std::string& at, Path rest) {
-    const std::string& word = rest.front();
-    std::size_t index = 0;
-    const char* end = word.data() + word.size();
-    const auto [stop, error] = std::from_chars(word.data(), end, index);
-    const bool is_number = error == std::errc() && stop == end && !word.empty();
-    const std::vector<std::size_t> called =
-        is_number ? std::vector<std::size_t>() : at_name(list, word);
-    if (!is_number && called.empty() && key.single_allowed && list.size() == 1) {
+    const std::optional<std::size_t> index = element_at(called(list), key, at, rest.front());
+    if (!index) {  // the one element of a list that need not be one
       set(list.front(), key, at, rest);
       return;
     }
-    if (!is_number) {
-      require(called.size() < 2, label_, joined_path(at, word), " could be any of ", called.size(),
-              " entries: give its number, counted from 0");
-      require(!called.empty(), label_, joined_path(at, word), " does not exist: ", at, " has ",
-              list.size(), " entries, counted from 0", listed(list));
-      index = called.front();
-    }
-    require(index < list.size(), label_, element_path(at, index), " does not exist: ", at, " has ",
-            list.size(), " entries, counted from 0");
-    T element = list[index];
-    set(element, key, element_path(at, index), rest.subspan(1));
-    list[index] = std::move(element);
+    T element = list[*index];
+    set(element, key, element_path(at, *index), rest.subspan(1));
+    list[*index] = std::move(element);
   }
 
-  /// The entries called `word`; by their kind only where none has that name.
   template <class T>
-  static std::vector<std::size_t> at_name(const std::vector<T>& list, const std::string& word) {
-    std::vector<std::size_t> named, of_kind;
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      const std::vector<std::string> names = names_of(list[k]);
-      if (!names.empty() && names.front() == word) {
-        named.push_back(k);
-      } else if (!names.empty() && names.back() == word) {
-        of_kind.push_back(k);
-      }
-    }
-    return named.empty() ? of_kind : named;
-  }
-
-  /// "; they are called clay, gravel".
-  template <class T>
-  static std::string listed(const std::vector<T>& list) {
-    std::string text;
+  static ElementNames called(const std::vector<T>& list) {
+    ElementNames names;
     for (const T& element : list) {
-      const std::vector<std::string> names = names_of(element);
-      if (!names.empty()) {
-        const std::string& name = names.front().empty() ? names.back() : names.front();
-        text += name.empty() ? "" : (text.empty() ? "; they are called " : ", ") + name;
-      }
+      names.push_back(names_of(element));
     }
-    return text;
+    return names;
+  }
+
+  /// The element that a word of a path names by number or name, of elements that are called so.
+  std::optional<std::size_t> element_at(const ElementNames& elements, const Key& key,
+                                        const std::string& at, const std::string& word) const {
+    std::size_t index = 0;
+    const char* end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data(), end, index);
+    if (error != std::errc() || stop != end || word.empty()) {
+      const std::vector<std::size_t> named = at_name(elements, word);
+      if (named.empty() && key.single_allowed && elements.size() == 1) {
+        return std::nullopt;
+      }
+      require(named.size() < 2, label_, joined_path(at, word), " could be any of ", named.size(),
+              " entries: give its number, counted from 0");
+      require(!named.empty(), label_, joined_path(at, word), " does not exist: ", at, " has ",
+              elements.size(), " entries, counted from 0", listed(elements));
+      index = named.front();
+    }
+    require(index < elements.size(), label_, element_path(at, index), " does not exist: ", at,
+            " has ", elements.size(), " entries, counted from 0");
+    return index;
   }
 
   void set_entry(Overrides& overrides, Path rest) const {

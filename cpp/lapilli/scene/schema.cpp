@@ -30,22 +30,10 @@ class SchemaWriter {
       properties.push_back(entry("kind", object({entry("const", text(kind))})));
       required.push_back(text("kind"));
     }
+    PropertyWriter add{*this, properties, required};
     const T defaults{};
-    auto add = [&]<class Member>(const Key& key, const Member& member) {
-      if constexpr (!std::is_same_v<Member, std::optional<GivenPoints>> && !is_function<Member>) {
-        properties.push_back(entry(key.name, annotated(schema_of<Member>(key), key, member)));
-        if (key.is_required) {
-          required.push_back(text(key.name));
-        }
-      }
-    };
     T::describe(defaults, add);
-    Tree::Table schema{entry("type", text("object")), entry("properties", object(properties)),
-                       entry("additionalProperties", {false, {}})};
-    if (!required.empty()) {
-      schema.push_back(entry("required", array(required)));
-    }
-    return object(std::move(schema));
+    return object_schema(std::move(properties), std::move(required));
   }
 
   Tree definitions() const {
@@ -57,6 +45,36 @@ class SchemaWriter {
   }
 
  private:
+  struct PropertyWriter {
+    SchemaWriter& writer;
+    Tree::Table& properties;
+    Tree::Array& required;
+
+    template <class T>
+    void operator()(const Key& key, const T& member) {
+      if constexpr (!std::is_same_v<T, std::optional<GivenPoints>> && !is_function<T>) {
+        add(key, annotated(writer.schema_of<T>(key), key, TreeWriter::write_default(member, key)));
+      }
+    }
+
+    void add(const Key& key, Tree property) {
+      properties.push_back(entry(key.name, std::move(property)));
+      if (key.is_required) {
+        required.push_back(text(key.name));
+      }
+    }
+  };
+
+  static Tree object_schema(Tree::Table properties, Tree::Array required) {
+    Tree::Table schema{entry("type", text("object")),
+                       entry("properties", object(std::move(properties))),
+                       entry("additionalProperties", {false, {}})};
+    if (!required.empty()) {
+      schema.push_back(entry("required", array(std::move(required))));
+    }
+    return object(std::move(schema));
+  }
+
   template <class T>
   Tree schema_of(const Key& key) {
     if constexpr (std::is_same_v<T, bool>) {
@@ -106,20 +124,26 @@ class SchemaWriter {
 
   template <Described T>
   Tree reference(const char* wanted_name, const char* kind) {
-    const auto [found, is_new] = names_.try_emplace(typeid(T), wanted_name);
-    if (is_new) {
-      while (definitions_.contains(found->second)) {
-        found->second += "_";
-      }
-      const std::string name = found->second;
-      definitions_[name] = {};  // a shape may hold a shape
+    if (const std::string name = new_definition(typeid(T), wanted_name); !name.empty()) {
       definitions_[name] = struct_schema<T>(kind);
     }
     return object({entry("$ref", text("#/definitions/" + names_.at(typeid(T))))});
   }
 
-  template <class T>
-  static Tree annotated(Tree schema, const Key& key, const T& member) {
+  /// The name of a type that has no definition yet; empty where it has one.
+  std::string new_definition(std::type_index type, const char* wanted_name) {
+    const auto [found, is_new] = names_.try_emplace(type, wanted_name);
+    if (!is_new) {
+      return "";
+    }
+    while (definitions_.contains(found->second)) {
+      found->second += "_";
+    }
+    definitions_[found->second] = {};  // a shape may hold a shape
+    return found->second;
+  }
+
+  static Tree annotated(Tree schema, const Key& key, const Tree& unset) {
     std::string says = key.meaning;
     says += *key.of_unit ? message(says.empty() ? "" : ", ", key.of_unit) : "";
     // Beside a reference other keywords do not count, so they stand around it.
@@ -130,14 +154,9 @@ class SchemaWriter {
     if (!says.empty()) {
       table.push_back(entry("description", text(says)));
     }
-    if (!key.is_required) {
-      const Tree unset =
-          TreeWriter(Members::all, InMemory::named).write(member, key, std::string(key.name));
-      const auto* value = std::get_if<double>(&unset.value);
-      if (!unset.is_absent() && !unset.table() && !unset.array() &&
-          !(value && !std::isfinite(*value))) {
-        table.push_back(entry("default", unset));
-      }
+    const auto* value = std::get_if<double>(&unset.value);
+    if (!unset.is_absent() && !unset.array() && !(value && !std::isfinite(*value))) {
+      table.push_back(entry("default", unset));
     }
     return object(std::move(table));
   }

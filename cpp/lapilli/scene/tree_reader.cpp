@@ -227,6 +227,46 @@ const Tree::Table& TreeReader::table_of(const Tree& tree, const std::string& pat
   return *table;
 }
 
+void TreeReader::fail_name(const Tree& tree, const std::string& path,
+                           const std::vector<std::string>& allowed) const {
+  const std::string* word = tree.string();
+  if (!word) {
+    fail(tree, path, message("must be one of ", joined(allowed), ", got ", in_words(tree)));
+  }
+  fail(tree, path, message("knows no '", *word, "'", suggestion(*word, allowed)));
+}
+
+std::string TreeReader::kind_of(const Tree& tree, const std::string& path,
+                                const std::vector<std::string>& allowed) const {
+  const Tree::Entry* kind = find(table_of(tree, path), "kind");
+  const std::string kind_path = joined_path(path, "kind");
+  if (!kind) {
+    fail(tree, kind_path, message("is missing: which of ", joined(allowed), " it is"));
+  }
+  std::string word;
+  read_text(kind->value, Key("kind"), kind_path, word);
+  if (std::find(allowed.begin(), allowed.end(), word) == allowed.end()) {
+    fail(kind->value, kind_path, message("knows no '", word, "'", suggestion(word, allowed)));
+  }
+  return word;
+}
+
+const Tree* TreeReader::MemberReader::find_value(const Key& key, const std::string& path) {
+  if (const Tree::Entry* entry = find(table_, key.name)) {
+    reader_.places_.at[path] = entry->place;
+    return &entry->value;
+  }
+  if (key.is_required &&
+      std::find(misspelt_.begin(), misspelt_.end(), key.name) == misspelt_.end()) {
+    reader_.mistakes_.gather([&] {
+      reader_.fail(tree_, path,
+                   message("is missing", *key.meaning ? ": " : "", key.meaning,
+                           *key.of_unit ? " in " : "", key.of_unit));
+    });
+  }
+  return nullptr;
+}
+
 void TreeReader::check_length(const Tree& tree, const Key& key, const std::string& path,
                               std::size_t length) const {
   const auto count = static_cast<Index>(length);

@@ -88,12 +88,21 @@ class TreeReader {
   std::vector<std::string> check_known(const Tree::Table& table, const std::string& path,
                                        const std::vector<std::string>& allowed);
 
+  class MemberReader;
+  /// `read`, whose mistakes are kept.
+  template <class T>
+  void read_or_gather(const Tree& tree, const Key& key, const std::string& path, T& member);
   template <Named T>
   void read_name(const Tree& tree, const std::string& path, T& member) const;
+  [[noreturn]] void fail_name(const Tree& tree, const std::string& path,
+                              const std::vector<std::string>& allowed) const;
   template <class T>
   void read_list(const Tree& tree, const Key& key, const std::string& path, std::vector<T>& list);
   template <Kinded T>
   void read_kind(const Tree& tree, const std::string& path, T& member);
+  /// The word under "kind" of a table, one of `allowed`.
+  std::string kind_of(const Tree& tree, const std::string& path,
+                      const std::vector<std::string>& allowed) const;
 
   Places& places_;
   Mistakes mistakes_;
@@ -158,32 +167,52 @@ void TreeReader::read(const Tree& tree, const Key& key, const std::string& path,
   }
 }
 
+/// Reads the members of one struct from a table.
+class TreeReader::MemberReader {
+ public:
+  MemberReader(TreeReader& reader, const Tree& tree, const std::string& path,
+               const std::vector<std::string>& allowed)
+      : reader_(reader),
+        tree_(tree),
+        path_(path),
+        table_(reader.table_of(tree, path)),
+        misspelt_(reader.check_known(table_, path, allowed)) {}
+
+  template <class T>
+  void operator()(const Key& key, T& member) {
+    const std::string path = joined_path(path_, key.name);
+    if (const Tree* given = find_value(key, path)) {
+      reader_.read_or_gather(*given, key, path, member);
+    }
+  }
+
+ private:
+  /// What the table holds; null where it holds nothing, which may be a mistake.
+  const Tree* find_value(const Key& key, const std::string& path);
+
+  TreeReader& reader_;
+  const Tree& tree_;
+  const std::string& path_;
+  const Tree::Table& table_;
+  std::vector<std::string> misspelt_;
+};
+
+template <class T>
+void TreeReader::read_or_gather(const Tree& tree, const Key& key, const std::string& path,
+                                T& member) {
+  mistakes_.gather([&] { read(tree, key, path, member); });
+}
+
 template <Described T>
 void TreeReader::read_struct(const Tree& tree, const std::string& path, T& object,
                              const char* skip) {
-  const Tree::Table& table = table_of(tree, path);
-  std::vector<std::string> allowed;
+  MemberNames allowed;
   if (*skip != 0) {
-    allowed.push_back(skip);
+    allowed.names.emplace_back(skip);
   }
-  auto collect = [&](const Key& key, auto&) { allowed.push_back(key.name); };
-  T::describe(object, collect);
-  const std::vector<std::string> misspelt = check_known(table, path, allowed);
-  auto fill = [&](const Key& key, auto& member) {
-    const std::string member_path = joined_path(path, key.name);
-    if (const Tree::Entry* entry = find(table, key.name)) {
-      places_.at[member_path] = entry->place;
-      mistakes_.gather([&] { read(entry->value, key, member_path, member); });
-    } else if (key.is_required &&
-               std::find(misspelt.begin(), misspelt.end(), key.name) == misspelt.end()) {
-      mistakes_.gather([&] {
-        fail(tree, member_path,
-             message("is missing", *key.meaning ? ": " : "", key.meaning,
-                     *key.of_unit ? " in " : "", key.of_unit));
-      });
-    }
-  };
-  T::describe(object, fill);
+  T::describe(object, allowed);
+  MemberReader members(*this, tree, path, allowed.names);
+  T::describe(object, members);
 }
 
 template <Named T>
@@ -195,12 +224,9 @@ void TreeReader::read_name(const Tree& tree, const std::string& path, T& member)
       member = value;
       return;
     }
-    allowed.push_back(name);
+    allowed.emplace_back(name);
   }
-  if (!word) {
-    fail(tree, path, message("must be one of ", joined(allowed), ", got ", in_words(tree)));
-  }
-  fail(tree, path, message("knows no '", *word, "'", suggestion(*word, allowed)));
+  fail_name(tree, path, allowed);
 }
 
 template <class T>
@@ -217,43 +243,29 @@ void TreeReader::read_list(const Tree& tree, const Key& key, const std::string& 
     const std::string here = array ? element_path(path, k) : path;
     places_.at[here] = element.place;
     T value{};
+    Key row = key;
     if constexpr (is_vector<T>) {
-      Key row = key;
       row.shortest = 0;
       row.longest = std::numeric_limits<int>::max();
-      mistakes_.gather([&] { read(element, row, here, value); });
-    } else {
-      mistakes_.gather([&] { read(element, key, here, value); });
     }
+    read_or_gather(element, row, here, value);
     list.push_back(std::move(value));
   }
 }
 
 template <Kinded T>
 void TreeReader::read_kind(const Tree& tree, const std::string& path, T& member) {
-  const Tree::Table& table = table_of(tree, path);
   std::vector<std::string> allowed;
-  for_each_kind<T>([&](auto type) { allowed.push_back(decltype(type)::type::kind); });
-  const Tree::Entry* kind = find(table, "kind");
-  const std::string kind_path = joined_path(path, "kind");
-  if (!kind) {
-    fail(tree, kind_path, message("is missing: which of ", joined(allowed), " it is"));
-  }
-  std::string word;
-  read_text(kind->value, Key("kind"), kind_path, word);
-  bool found = false;
+  for_each_kind<T>([&](auto type) { allowed.emplace_back(decltype(type)::type::kind); });
+  const std::string word = kind_of(tree, path, allowed);
   for_each_kind<T>([&](auto type) {
     using Alternative = typename decltype(type)::type;
-    if (!found && word == Alternative::kind) {
-      found = true;
+    if (word == Alternative::kind) {
       Alternative value{};
       read_struct(tree, path, value, "kind");
       variant_of(member) = std::move(value);
     }
   });
-  if (!found) {
-    fail(kind->value, kind_path, message("knows no '", word, "'", suggestion(word, allowed)));
-  }
 }
 
 }  // namespace lapilli

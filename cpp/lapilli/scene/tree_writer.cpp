@@ -43,6 +43,18 @@ Tree TreeWriter::write_table(const TemperatureTable& table, const std::string& p
   return {Tree::Table{list("temperatures", table.temperatures), list("values", table.values)}, {}};
 }
 
+Tree TreeWriter::with_kind(const char* kind, Tree::Table members) {
+  members.insert(members.begin(), {"kind", {}, {std::string(kind), {}}});
+  return {std::move(members), {}};
+}
+
+void TreeWriter::MemberWriter::add(const Key& key, Tree tree) {
+  const Tree::Entry* unchanged = find(defaults_, key.name);
+  if (!tree.is_absent() && (key.is_required || !unchanged || !same(tree, unchanged->value))) {
+    table_.push_back({key.name, {}, std::move(tree)});
+  }
+}
+
 Tree TreeWriter::no_file_form(const std::string& path, const char* what) const {
   require(in_memory_ == InMemory::named, path, " is given as ", what,
           ", which a scene file cannot hold");

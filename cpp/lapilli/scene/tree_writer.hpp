@@ -35,7 +35,14 @@ class TreeWriter {
   template <Described T>
   Tree::Table write_struct(const T& object, const std::string& path) const;
 
+  /// What a default struct holds for a member, as its documentation tells; absent where the member
+  /// must be given, is a table, or holds tables.
+  template <class T>
+  static Tree write_default(const T& member, const Key& key);
+
  private:
+  class MemberWriter;
+  struct DefaultWriter;
   template <class T>
   Tree write_list(const std::vector<T>& list, const Key& key, const std::string& path) const;
   Tree write_number(double number, const Key& key, const std::string& path) const;
@@ -43,6 +50,7 @@ class TreeWriter {
   Tree write_tensor(const SymmetricTensor& tensor, const Key& key, const std::string& path) const;
   Tree write_table(const TemperatureTable& table, const std::string& path) const;
   Tree no_file_form(const std::string& path, const char* what) const;
+  static Tree with_kind(const char* kind, Tree::Table members);
 
   Members members_;
   InMemory in_memory_;
@@ -79,11 +87,7 @@ Tree TreeWriter::write(const T& member, const Key& key, const std::string& path)
   } else if constexpr (Kinded<T>) {
     return std::visit(
         [&](const auto& alternative) {
-          Tree::Table table{{"kind", {}, {std::string(alternative.kind), {}}}};
-          for (Tree::Entry& entry : write_struct(alternative, path)) {
-            table.push_back(std::move(entry));
-          }
-          return Tree{std::move(table), {}};
+          return with_kind(alternative.kind, write_struct(alternative, path));
         },
         variant_of(member));
   } else if constexpr (Described<T>) {
@@ -95,26 +99,61 @@ Tree TreeWriter::write(const T& member, const Key& key, const std::string& path)
   }
 }
 
+/// Writes the members of one struct into a table.
+class TreeWriter::MemberWriter {
+ public:
+  /// Members that are the same in `defaults` are left out.
+  MemberWriter(const TreeWriter& writer, const std::string& path, const Tree::Table& defaults)
+      : writer_(writer), path_(path), defaults_(defaults) {}
+
+  template <class T>
+  void operator()(const Key& key, const T& member) {
+    add(key, writer_.write(member, key, joined_path(path_, key.name)));
+  }
+  Tree::Table take() { return std::move(table_); }
+
+ private:
+  void add(const Key& key, Tree tree);
+
+  const TreeWriter& writer_;
+  const std::string& path_;
+  const Tree::Table& defaults_;
+  Tree::Table table_;
+};
+
+/// Notes the members of a default struct.
+struct TreeWriter::DefaultWriter {
+  const TreeWriter& writer;
+  const std::string& path;
+  Tree::Table table{};
+
+  template <class T>
+  void operator()(const Key& key, const T& member) {
+    table.push_back({key.name, {}, writer.write(member, key, path)});
+  }
+};
+
 template <Described T>
 Tree::Table TreeWriter::write_struct(const T& object, const std::string& path) const {
-  Tree::Table defaults;
+  DefaultWriter defaults{*this, path};
   if (members_ == Members::changed) {
     const T unchanged{};
-    auto note = [&](const Key& key, const auto& member) {
-      defaults.push_back({key.name, {}, write(member, key, path)});
-    };
-    T::describe(unchanged, note);
+    T::describe(unchanged, defaults);
   }
-  Tree::Table table;
-  auto add = [&](const Key& key, const auto& member) {
-    Tree tree = write(member, key, joined_path(path, key.name));
-    const Tree::Entry* unchanged = find(defaults, key.name);
-    if (!tree.is_absent() && (key.is_required || !unchanged || !same(tree, unchanged->value))) {
-      table.push_back({key.name, {}, std::move(tree)});
+  MemberWriter members(*this, path, defaults.table);
+  T::describe(object, members);
+  return members.take();
+}
+
+template <class T>
+Tree TreeWriter::write_default(const T& member, const Key& key) {
+  if constexpr (!holds_structs<T>) {
+    if (!key.is_required) {
+      Tree tree = TreeWriter(Members::all, InMemory::named).write(member, key, key.name);
+      return tree.table() ? Tree{} : tree;
     }
-  };
-  T::describe(object, add);
-  return table;
+  }
+  return {};
 }
 
 template <class T>

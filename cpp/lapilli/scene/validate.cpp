@@ -50,14 +50,21 @@ class RangeCheck {
       std::visit([&](const auto& alternative) { check(alternative, key, path); },
                  variant_of(member));
     } else if constexpr (Described<T>) {
-      auto each = [&](const Key& inner, const auto& part) {
-        check(part, inner, joined_path(path, inner.name));
-      };
+      MemberCheck each{*this, path};
       T::describe(member, each);
     }
   }
 
  private:
+  struct MemberCheck {
+    const RangeCheck& ranges;
+    const std::string& path;
+    template <class T>
+    void operator()(const Key& key, const T& member) {
+      ranges.check(member, key, joined_path(path, key.name));
+    }
+  };
+
   void check_number(double number, const Key& key, const std::string& path) const {
     const std::string mistake = range_mistake(key, number);
     if (!mistake.empty()) {

@@ -82,6 +82,7 @@ def cost_rows(record: Record) -> list[tuple[str, str]]:
         ("started", record["started"]),
         ("lapilli", record["lapilli"]),
         ("compiler", record["compiler"]),
+        ("kernel set", record.get("kernel_set", "not recorded")),
         ("fingerprint of the scene", str(record["fingerprint"])),
     ]
 

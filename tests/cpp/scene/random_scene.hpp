@@ -75,7 +75,7 @@ class RandomMembers {
     } else if constexpr (Kinded<T>) {
       fill_kind(member, depth);
     } else if constexpr (Described<T>) {
-      auto each = [&](const Key& inner, auto& part) { fill(inner, part, depth); };
+      EachMember each{*this, depth};
       T::describe(member, each);
     }
   }
@@ -85,6 +85,15 @@ class RandomMembers {
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(generator_() % count); }
 
  private:
+  struct EachMember {
+    RandomMembers& values;
+    int depth;
+    template <class T>
+    void operator()(const Key& key, T& member) {
+      values.fill(key, member, depth);
+    }
+  };
+
   // Deep trees of shapes end in the first alternatives, which hold no others.
   template <class T>
   void fill_kind(T& member, int depth) {

@@ -37,6 +37,7 @@ def test_the_page_says_what_was_done(page: Path, falling: lp.Result) -> None:
         "residual (relative)",
         "processor time",
         falling.record["compiler"],
+        falling.record["kernel_set"],
         "youngs_modulus",
     ):
         assert said in text, said

@@ -9,7 +9,7 @@
 namespace lapilli {
 namespace {
 
-constexpr double nudge = 1e-7;         // cells; a point on a face belongs to the cell behind it
+constexpr double behind = 1e-7;        // cells; a point on a face belongs to the cell behind it
 constexpr double farthest_off = 0.75;  // cells, of a point from the cell whose functions it takes
 
 /// Squared distance of a place (in cells) from a cell.
@@ -70,7 +70,7 @@ void LoadedSurface<Dim>::start(const std::vector<Facet<Dim>>& facets) {
 template <int Dim>
 void LoadedSurface<Dim>::find_cells(const Grid<Dim>& grid, const CellState<Dim>& state) {
   for (LoadedPoint<Dim>& point : points_) {
-    const Vec<Dim> at = grid.local(point.position) + nudge * point.area.normalized();
+    const Vec<Dim> at = grid.local(point.position) + behind * point.area.normalized();
     const auto cell = nearest_occupied<Dim>(grid, state, at);
     if (!cell) {
       throw RunError(message(what_, " lies off the material at ", point.position.transpose(),

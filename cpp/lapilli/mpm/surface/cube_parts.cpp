@@ -10,7 +10,7 @@ namespace lapilli {
 namespace {
 
 template <int Dim>
-using Points = std::vector<QuadraturePoint<Dim>>;
+using QuadraturePoints = std::vector<QuadraturePoint<Dim>>;
 
 template <int Dim>
 Cut<Dim> other_side(const Cut<Dim>& cut) {
@@ -18,7 +18,7 @@ Cut<Dim> other_side(const Cut<Dim>& cut) {
 }
 
 /// Four Gauss points in what the cuts leave of an interval.
-void add_convex(const Cube<1>& cube, std::span<const Cut<1>> cuts, Points<1>& points) {
+void add_convex(const Cube<1>& cube, std::span<const Cut<1>> cuts, QuadraturePoints<1>& points) {
   double low = cube.low[0], high = low + cube.side;
   for (const Cut<1>& cut : cuts) {
     const double at = cut.offset / cut.normal[0];
@@ -35,7 +35,7 @@ void add_convex(const Cube<1>& cube, std::span<const Cut<1>> cuts, Points<1>& po
 }
 
 /// Six points of degree 4 (Dunavant 1985) in each triangle of a fan.
-void add_convex(const Cube<2>& cube, std::span<const Cut<2>> cuts, Points<2>& points) {
+void add_convex(const Cube<2>& cube, std::span<const Cut<2>> cuts, QuadraturePoints<2>& points) {
   const Vec<2> high = cube.low + Vec<2>::Constant(cube.side);
   const Outline left = clip_polygon(rectangle(cube.low, high), cuts);
   constexpr double share[] = {0.445948490915965, 0.091576213509771};
@@ -54,7 +54,7 @@ void add_convex(const Cube<2>& cube, std::span<const Cut<2>> cuts, Points<2>& po
 }
 
 /// Four points with the volume, centroid and second moments of the solid.
-void add_convex(const Cube<3>& cube, std::span<const Cut<3>> cuts, Points<3>& points) {
+void add_convex(const Cube<3>& cube, std::span<const Cut<3>> cuts, QuadraturePoints<3>& points) {
   const Vec3 high = cube.low + Vec3::Constant(cube.side), from = cube.middle();
   double volume_sum = 0.0;
   Vec3 first = Vec3::Zero();
@@ -166,7 +166,7 @@ Vec<Dim> SurfacePiece<Dim>::middle() const {
 }
 
 template <int Dim>
-Points<Dim> SurfacePiece<Dim>::quadrature() const {
+QuadraturePoints<Dim> SurfacePiece<Dim>::quadrature() const {
   if constexpr (Dim == 1) {
     return {{corners[0], 1.0}};
   } else if constexpr (Dim == 2) {
@@ -210,9 +210,9 @@ std::vector<SurfacePiece<Dim>> SurfacePiece<Dim>::parts() const {
 }
 
 template <int Dim>
-Points<Dim> volume_points(const Cube<Dim>& cube, const PlaneFit<Dim>& fit) {
+QuadraturePoints<Dim> volume_points(const Cube<Dim>& cube, const PlaneFit<Dim>& fit) {
   using Fit = PlaneFit<Dim>;
-  Points<Dim> points;
+  QuadraturePoints<Dim> points;
   if (fit.join == Fit::Join::all) {
     add_convex(cube, std::span<const Cut<Dim>>(fit.planes), points);
     return points;
