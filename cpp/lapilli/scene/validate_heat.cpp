@@ -11,6 +11,7 @@
 #include "lapilli/mpm/heat/temperature_range.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/common_motion.hpp"
+#include "lapilli/scene/idle_rules.hpp"
 #include "lapilli/scene/place_errors.hpp"
 
 namespace lapilli {
@@ -106,6 +107,18 @@ std::string melting_point_note(const Body& body, std::size_t k) {
                : std::string();
 }
 
+/// A start has one instant: of a table in time the value there is taken, and no other.
+std::string start_note(const Body& body, std::size_t k) {
+  const Value& start = body.temperature;
+  if (!std::holds_alternative<Table>(start.form()) || start.least() == start.largest()) {
+    return {};
+  }
+  const std::string name = body.name.empty() ? std::string() : message(" (", body.name, ")");
+  return message("bodies.", k, ".temperature", name, " is a table in time, of which only ",
+                 start.at(0.0), ", the value at the start, is taken: what holds a temperature ",
+                 "later is a boundary condition");
+}
+
 /// Whether a turn leaves the conductivity as it is.
 bool is_isotropic(const Thermal& thermal, int dimension) {
   if (thermal.conductivity.varies()) {
@@ -121,7 +134,7 @@ bool is_isotropic(const Thermal& thermal, int dimension) {
 std::string axes_note(const Scene& scene, std::size_t k) {
   const Body& body = scene.bodies[k];
   const auto* thermal = material_in<Thermal>(body);
-  if (thermal == nullptr || is_isotropic(*thermal, dimension_of(scene))) {
+  if (!scene.heat || thermal == nullptr || is_isotropic(*thermal, dimension_of(scene))) {
     return {};
   }
   const bool by_points = has_moving_points(scene) &&
@@ -162,8 +175,10 @@ std::vector<std::string> heat_warnings(const Scene& scene) {
                             "give its shape"));
     }
   }
-  for (std::size_t k = 0; scene.heat && k < scene.bodies.size(); ++k) {
-    for (std::string note : {melting_point_note(scene.bodies[k], k), axes_note(scene, k)}) {
+  for (std::size_t k = 0; !without_heat(scene) && k < scene.bodies.size(); ++k) {
+    const Body& body = scene.bodies[k];
+    for (std::string note :
+         {start_note(body, k), melting_point_note(body, k), axes_note(scene, k)}) {
       if (!note.empty()) {
         all.push_back(std::move(note));
       }

@@ -1,5 +1,6 @@
 // Heat that chooses its own steps: the same bytes when resumed in either phase, for any threads.
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/geometry/fill.hpp"
@@ -64,7 +65,7 @@ TEST_CASE("Implicit steps come when they pay, follow their error and leave for j
   CHECK_FALSE(steps.choose(50.0, 0.0, never));   // 0.08 x 50 < 100 x 0.1
   CHECK_FALSE(steps.choose(200.0, 0.0, 205.0));  // a table has its next entry too soon
   CHECK(steps.choose(200.0, 0.0, never));
-  CHECK(steps.are_implicit());
+  CHECK(steps.kind() == SteppingKind::implicit);
   CHECK(steps.size() == Approx(16.0));
   steps.follow(16.0, 0.2e-4);  // as large as allowed: a little shorter
   CHECK(steps.size() == Approx(0.9 * 16.0));
@@ -76,8 +77,43 @@ TEST_CASE("Implicit steps come when they pay, follow their error and leave for j
   CHECK(steps.accepts(0.4e-4));
   CHECK_FALSE(steps.accepts(0.6e-4));
   CHECK(steps.choose(300.0, 290.0, never));  // a jump
-  CHECK_FALSE(steps.are_implicit());
+  CHECK_FALSE(steps.are_long());
   CHECK_FALSE(steps.choose(350.0, 290.0, never));  // counts from the jump
+}
+
+TEST_CASE("Steps in stages come before implicit ones and give way where they would be many") {
+  const double never = 1e300;
+  AdaptiveSteps steps(1e-4, 0.1, 400.0);
+  steps.allow_stages(12.0);  // 2 over the limit of an explicit step, of which 0.1 is 0.6
+  CHECK_FALSE(steps.choose(5.0, 0.0, never));  // 0.4 takes 4 explicit steps, or 3 stages
+  CHECK(steps.choose(50.0, 0.0, never));
+  CHECK(steps.kind() == SteppingKind::stages);
+  CHECK(steps.size() == Approx(4.0));
+  CHECK(steps.stages(4.0) == 9);
+  CHECK(steps.cost() < 40.0);
+  for (int k = 0; k < 20; ++k) {
+    steps.follow(steps.size(), 0.0);
+  }
+  CHECK(steps.choose(60.0, 0.0, never));
+  CHECK(steps.kind() == SteppingKind::implicit);
+  StepsAhead ahead;
+  steps.count(60.0, 1e9, 0.0, ahead);
+  CHECK(ahead.number < 300.0);
+  CHECK(ahead.cost < 400.0 * 300.0);
+  CHECK(steps.choose(61.0, 60.5, never));  // a jump
+  CHECK_FALSE(steps.are_long());
+}
+
+TEST_CASE("What is ahead is counted") {
+  AdaptiveSteps steps(1e-4, 0.1, 400.0);
+  StepsAhead all;
+  steps.count(0.0, 100.0, 0.0, all);  // none pays: 8 at most, of 80 explicit steps
+  CHECK(all.number == Approx(1000.0).epsilon(0.02));
+  CHECK(all.cost == all.number);
+  StepsAhead longer;
+  steps.count(0.0, 1e6, 0.0, longer);
+  // Explicit until .08 t = 40 s, then by 8 % each.
+  CHECK(longer.number == Approx(5000.0 + std::log(1e6 / 500.0) / std::log(1.08)).epsilon(0.05));
 }
 
 TEST_CASE("No implicit step is longer than what changes asks for") {

@@ -80,11 +80,7 @@ double CutCellHeat<Dim>::next_entry(double time) const {
 }
 
 template <int Dim>
-void CutCellHeat<Dim>::choose_steps(const Step& last) {
-  // The first implicit step comes after a look at how explicit ones bend.
-  if (!adaptive_.are_implicit() && (last.index + 1) % watch_every != 0) {
-    return;
-  }
+double CutCellHeat<Dim>::last_jump() const {
   const double now = time_ * (1.0 + 1e-12);  // where a step has ended at an entry
   double jump = laws_.last_jump(now);
   for (const HeatBody& body : problem_.bodies) {
@@ -92,33 +88,94 @@ void CutCellHeat<Dim>::choose_steps(const Step& last) {
       jump = std::max(jump, at);
     }
   }
-  if (!adaptive_.choose(time_, jump, next_entry(time_))) {
+  return jump;
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::choose_steps(const Step& last) {
+  // The first long step comes after a look at how explicit ones bend.
+  if (!adaptive_.are_long() && (last.index + 1) % watch_every != 0) {
     return;
   }
-  if (adaptive_.are_implicit()) {
-    begin_implicit_steps(last.size);
-  } else {
-    end_implicit_steps();
+  const SteppingKind before = adaptive_.kind();
+  if (before != SteppingKind::implicit) {
+    adaptive_.allow_stages(rate_of_stages());  // as the surface is by now
+  }
+  if (adaptive_.choose(time_, last_jump(), next_entry(time_))) {
+    change_steps(before, last.size);
   }
 }
 
 template <int Dim>
-void CutCellHeat<Dim>::end_implicit_steps() {
+void CutCellHeat<Dim>::change_steps(SteppingKind before, double last) {
+  if (before != SteppingKind::explicit_euler) {
+    explicit_error_ = largest_error();
+  }
+  if (adaptive_.kind() == SteppingKind::implicit) {
+    begin_implicit_steps(before, last);
+    return;
+  }
+  end_long_steps();
+  calming_ = 0;
+  if (adaptive_.kind() == SteppingKind::stages) {
+    begin_stages();
+  }
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::end_long_steps() {
   for (Solved& one : solved_) {
     one.all.reset();
+    one.rates = {};
+    one.error.clear();
   }
 }
 
 template <int Dim>
-void CutCellHeat<Dim>::begin_implicit_steps(double last) {
+void CutCellHeat<Dim>::begin_implicit_steps(SteppingKind before, double last) {
   for (Solved& one : solved_) {
     number_all_leaders(one);
     System& all = *one.all;
-    // Explicit steps take the surface a little differently: their own rate does not feel it.
-    all.rate = gather(all, one.increment).cwiseProduct(gather(all, one.part.capacity)) / last;
-    all.error =
-        Vector::Constant(static_cast<Eigen::Index>(all.unknown_place.size()), explicit_error_);
+    const SurfaceTerm::Vector capacity = gather(all, one.part.capacity);
+    if (before == SteppingKind::stages) {
+      all.rate = one.rates.rise.empty() ? SurfaceTerm::Vector()
+                                        : gather(all, one.rates.rise).cwiseProduct(capacity).eval();
+      all.error = gather(all, one.error);
+    } else {
+      // Explicit steps take the surface a little differently: their own rate does not feel it.
+      all.rate = gather(all, one.increment).cwiseProduct(capacity) / last;
+      all.error =
+          Vector::Constant(static_cast<Eigen::Index>(all.unknown_place.size()), explicit_error_);
+    }
+    one.rates = {};
+    one.error.clear();
   }
+}
+
+template <int Dim>
+StepsAhead CutCellHeat<Dim>::steps_ahead() const {
+  constexpr int entries = 1000;  // the rest is as they are
+  StepsAhead all;
+  StepLimit limit = limit_;
+  self_heating_.bound(limit);
+  all.settled = std::isfinite(limit.automatic) ? limit.automatic : 0.0;
+  if (!is_adaptive() || !std::isfinite(end_)) {
+    return all;
+  }
+  all.next = adaptive_.are_long() ? adaptive_.cost() : 1.0;
+  double now = time_, jump = last_jump();
+  for (int entry = 0; now < end_ && entry < entries; ++entry) {
+    const double next = std::min(end_, next_entry(now));
+    adaptive_.count(now, next, jump, all);
+    now = next;
+    jump = laws_.last_jump(now * (1.0 + 1e-12));
+  }
+  if (now < end_) {
+    const double more = (end_ - time_) / (now - time_);
+    all.number *= more;
+    all.cost *= more;
+  }
+  return all;
 }
 
 template <int Dim>
@@ -158,8 +215,11 @@ void CutCellHeat<Dim>::watch_curvature(Solved& one, const Step& step) {
 
 template <int Dim>
 double CutCellHeat<Dim>::largest_error() const {
-  double error = adaptive_.are_implicit() ? 0.0 : explicit_error_;
+  double error = adaptive_.are_long() ? 0.0 : explicit_error_;
   for (const Solved& one : solved_) {
+    for (const double some : one.error) {
+      error = std::max(error, std::abs(some));
+    }
     if (one.all && one.all->error.size() > 0) {
       error = std::max(error, one.all->error.cwiseAbs().maxCoeff());
     }
@@ -180,10 +240,18 @@ void CutCellHeat<Dim>::save_stepping(Archive& archive) const {
   archive.write("heat/stepping/highest", highest_);
   archive.write("heat/stepping/explicit_error", explicit_error_);
   archive.write("heat/stepping/implicit_steps", implicit_steps_);
+  archive.write("heat/stepping/staged_steps", staged_steps_);
+  archive.write("heat/stepping/bend", bend_);
+  archive.write("heat/stepping/calming", calming_);
   archive.write("heat/stepping/factor_size", factor_size_);
   for (std::size_t k = 0; k < solved_.size(); ++k) {
-    archive.write(message("heat/stepping/earlier ", k), solved_[k].earlier);
-    if (const auto& all = solved_[k].all) {
+    const Solved& one = solved_[k];
+    archive.write(message("heat/stepping/earlier ", k), one.earlier);
+    archive.write(message("heat/stepping/rise ", k), one.rates.rise);
+    archive.write(message("heat/stepping/by_law ", k), one.rates.by_law);
+    archive.write(message("heat/stepping/by_sources ", k), one.rates.by_sources);
+    archive.write(message("heat/stepping/nodal_error ", k), one.error);
+    if (const auto& all = one.all) {
       write(archive, message("heat/stepping/error ", k), all->error);
       write(archive, message("heat/stepping/rate ", k), all->rate);
     }
@@ -197,12 +265,19 @@ void CutCellHeat<Dim>::load_stepping(const Archive& archive) {
   highest_ = archive.read_number("heat/stepping/highest");
   explicit_error_ = archive.read_number("heat/stepping/explicit_error");
   implicit_steps_ = archive.read_index("heat/stepping/implicit_steps");
+  staged_steps_ = archive.read_index("heat/stepping/staged_steps");
+  bend_ = archive.read_number("heat/stepping/bend");
+  calming_ = archive.read_index("heat/stepping/calming");
   factor_size_ = archive.read_number("heat/stepping/factor_size");
   for (std::size_t k = 0; k < solved_.size(); ++k) {
     Solved& one = solved_[k];
     one.earlier = archive.read_numbers(message("heat/stepping/earlier ", k));
+    one.rates = {archive.read_numbers(message("heat/stepping/rise ", k)),
+                 archive.read_numbers(message("heat/stepping/by_law ", k)),
+                 archive.read_number(message("heat/stepping/by_sources ", k))};
+    one.error = archive.read_numbers(message("heat/stepping/nodal_error ", k));
     one.all.reset();
-    if (adaptive_.are_implicit()) {
+    if (adaptive_.kind() == SteppingKind::implicit) {
       number_all_leaders(one);
       one.all->error = read(archive, message("heat/stepping/error ", k));
       one.all->rate = read(archive, message("heat/stepping/rate ", k));
@@ -217,7 +292,8 @@ void CutCellHeat<Dim>::load_stepping(const Archive& archive) {
   template double CutCellHeat<Dim>::next_entry(double) const;            \
   template void CutCellHeat<Dim>::choose_steps(const Step&);             \
   template void CutCellHeat<Dim>::watch_curvature(Solved&, const Step&); \
-  template void CutCellHeat<Dim>::end_implicit_steps();                  \
+  template void CutCellHeat<Dim>::end_long_steps();                      \
+  template StepsAhead CutCellHeat<Dim>::steps_ahead() const;             \
   template void CutCellHeat<Dim>::widen_span();                          \
   template double CutCellHeat<Dim>::temperature_span() const;            \
   template double CutCellHeat<Dim>::largest_error() const;               \

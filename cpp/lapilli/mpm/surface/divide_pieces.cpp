@@ -9,7 +9,6 @@ namespace lapilli {
 namespace {
 
 // Lengths in cells.
-constexpr double gap = 2e-3;  // bodies less apart touch
 constexpr double on_wall_by = 1e-6;
 constexpr double slack = 0.35;    // of a region that ends along the surface
 constexpr double on_edge = 1e-6;  // beyond its edge a place counts as in a region
@@ -59,7 +58,7 @@ int SurfaceDivision<Dim>::label_at(const Vec<Dim>& at, const Vec<Dim>& normal, b
     if (on_wall(at, normal)) {
       return on_wall_label;
     }
-    const Vec3 beyond = project(bodies_[own_], place) + gap * grid_.cell_size() * outward;
+    const Vec3 beyond = project(bodies_[own_], place) + contact_gap * grid_.cell_size() * outward;
     for (std::size_t other = 0; other < bodies_.size(); ++other) {
       if (other != own_ && distance(bodies_[other], beyond) <= 0.0) {
         if (std::find(touching_.begin(), touching_.end(), other) == touching_.end()) {

@@ -10,6 +10,8 @@
 
 namespace lapilli {
 
+inline constexpr double contact_gap = 2e-3;  // cells; bodies less apart touch
+
 /// Tells which boundary condition has a place of a body's surface.
 template <int Dim>
 class SurfaceDivision {
