@@ -88,7 +88,7 @@ def test_a_gap_that_opens_along_a_face_is_said() -> None:
     """Turned by rounding: the boxes touch at one end of the face and gape at the other."""
     turned: list[lp.Shape] = [
         lp.Box(lower=(-1.0, -1.0), upper=(0.0, 1.0)),
-        lp.Rotated(shape=lp.Box(lower=(0.0, -1.0), upper=(1.0, 1.0)), degrees=-0.1, center=(0, 1)),
+        lp.Rotated(shape=lp.Box(lower=(0.0, -1.0), upper=(1.0, 1.0)), degrees=0.1, center=(0, 1)),
     ]
     (note,) = notes(scene(turned))
     assert "beside where they touch" in note

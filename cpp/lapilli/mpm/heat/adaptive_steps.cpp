@@ -18,6 +18,11 @@ constexpr double part_of_a_step = 0.2;  // of the tolerance
 constexpr double cost_of_stage = 1.7;
 constexpr int most_stages = 1000;  // beyond, rounding grows with their square
 
+// Stages are of second order: they are taken where they cost somewhat more than explicit steps,
+// from the first of a length that three of them bear.
+constexpr double price_of_order = 1.5;
+constexpr double shortest = 4.0;  // explicit steps
+
 }  // namespace
 
 AdaptiveSteps::AdaptiveSteps(double tolerance, double explicit_step, double worth)
@@ -35,7 +40,7 @@ int AdaptiveSteps::stages(double size) const { return ChebyshevStages::needed(si
 double AdaptiveSteps::cost_of(SteppingKind kind, double size) const {
   switch (kind) {
     case SteppingKind::explicit_euler:
-      return std::max(1.0, size / explicit_step_);
+      return std::max(1.0, size / explicit_step_) * (stage_rate_ > 0.0 ? price_of_order : 1.0);
     case SteppingKind::stages:
       return stage_rate_ > 0.0 && stages(std::min(size, 1e6 * explicit_step_)) <= most_stages
                  ? cost_of_stage * stages(size)
@@ -45,12 +50,24 @@ double AdaptiveSteps::cost_of(SteppingKind kind, double size) const {
   }
 }
 
+double AdaptiveSteps::least_size() const {
+  return kind_ == SteppingKind::stages || (stage_rate_ > 0.0 && !are_long())
+             ? std::min(longest_, shortest * explicit_step_)
+             : 0.0;
+}
+
 SteppingKind AdaptiveSteps::cheapest(double size) const {
   SteppingKind best = SteppingKind::explicit_euler;
   for (const SteppingKind other : {SteppingKind::stages, SteppingKind::implicit}) {
     best = cost_of(other, size) < cost_of(best, size) ? other : best;
   }
   return best;
+}
+
+double AdaptiveSteps::first_size(double time, double since) const {
+  constexpr double begun = 12.0;  // explicit steps since: short ones that have just begun
+  const double size = std::min(longest_, share() * (time - since));
+  return time - since < begun * explicit_step_ ? size : std::max(least_size(), size);
 }
 
 bool AdaptiveSteps::is_worth(double size) const {
@@ -75,7 +92,7 @@ bool AdaptiveSteps::choose(double time, double last_jump, double next_entry) {
     return false;
   }
   since_ = std::max(since_, last_jump);
-  const double size = std::min(longest_, share() * (time - since_));
+  const double size = first_size(time, since_);
   const SteppingKind best = cheapest(std::min(size, next_entry - time));
   if (best == SteppingKind::explicit_euler) {
     return false;
@@ -85,16 +102,22 @@ bool AdaptiveSteps::choose(double time, double last_jump, double next_entry) {
   return true;
 }
 
+bool AdaptiveSteps::accepts(double size, double error) const {
+  const bool is_least = size <= least_size() * (1.0 + 1e-6);
+  return error <= 2.5 * allowed_ || (is_least && std::isfinite(error));
+}
+
 double AdaptiveSteps::shorter(double size, double error) const {
-  return size * std::clamp(0.9 * std::cbrt(allowed_ / error), 0.1, 0.7);
+  const double wanted = size * std::clamp(0.9 * std::cbrt(allowed_ / error), 0.1, 0.7);
+  return size > least_size() ? std::max(least_size(), wanted) : wanted;
 }
 
 void AdaptiveSteps::follow(double size, double error) {
   constexpr double caution = 0.9, most = 2.0, worth_a_new_factor = 1.5;
   const double factor = error > 0.0 ? std::min(most, caution * std::cbrt(allowed_ / error)) : most;
-  const double wanted = std::min(longest_, size * factor);
+  const double wanted = std::max(least_size(), std::min(longest_, size * factor));
   const bool shortened = size < (1.0 - 1e-6) * size_;  // to end at a frame or an entry
-  if (shortened && factor == most) {
+  if (shortened && factor == most && wanted < size_) {
     return;
   }
   if (kind_ == SteppingKind::stages || wanted < size_ || wanted > worth_a_new_factor * size_) {
@@ -108,13 +131,13 @@ void AdaptiveSteps::give_up(double time) {
 }
 
 void AdaptiveSteps::count(double time, double end, double last_jump, StepsAhead& all) const {
-  constexpr double bunch = 128.0, growth = 0.05;  // of explicit steps looked at together
+  constexpr double bunch = 64.0, growth = 0.05;  // of explicit steps looked at together
   constexpr int looks = 10'000;                   // the rest is as what was looked at last
   const double since = std::max(since_, last_jump);
   double size = are_long() && last_jump <= since_ ? size_ : 0.0;
   double now = time;
   for (int look = 0; now < end - 1e-12 * std::abs(end); ++look) {
-    size = std::max(size, share() * (now - since));
+    size = std::max(size, first_size(now, since));
     const double next = std::min({size, longest_, end - now});
     const SteppingKind kind = cheapest(next);
     const bool is_long = kind != SteppingKind::explicit_euler;

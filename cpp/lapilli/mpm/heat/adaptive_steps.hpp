@@ -43,8 +43,9 @@ class AdaptiveSteps {
   /// Between steps at `time`: choose how the next ones are taken. Tables had their last jump at
   /// `last_jump` and have their next entry at `next_entry`. Returns whether that changed.
   bool choose(double time, double last_jump, double next_entry);
-  /// Whether the error of a step, as a share of the span, is small enough.
-  bool accepts(double error) const { return error <= 2.5 * allowed_; }
+  /// Whether the error of a step, as a share of the span, is small enough, or nothing shorter is
+  /// better.
+  bool accepts(double size, double error) const;
   /// What to try after a step of `size` with this error was not accepted, s.
   double shorter(double size, double error) const;
   /// Choose the size of the next step after one of `size` with this error.
@@ -65,7 +66,9 @@ class AdaptiveSteps {
   void load(const Archive& archive);
 
  private:
-  double share() const;  // of the time since a jump
+  double share() const;       // of the time since a jump
+  double least_size() const;  // s, of steps in stages
+  double first_size(double time, double since) const;
   double cost_of(SteppingKind kind, double size) const;
   SteppingKind cheapest(double size) const;
 

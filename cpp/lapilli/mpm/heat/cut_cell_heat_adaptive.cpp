@@ -158,7 +158,7 @@ bool CutCellHeat<Dim>::try_all(double begin, double size, std::vector<Attempt>& 
     }
     error = std::max(error, attempts[k].local / span);
   }
-  return adaptive_.accepts(error) || (adaptive_.kind() == SteppingKind::stages && calming_ > 0);
+  return adaptive_.accepts(size, error) || (adaptive_.kind() == SteppingKind::stages && calming_ > 0);
 }
 
 template <int Dim>

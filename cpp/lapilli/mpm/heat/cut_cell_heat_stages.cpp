@@ -12,7 +12,7 @@ namespace lapilli {
 template <int Dim>
 double CutCellHeat<Dim>::rate_of_stages() const {
   // Where the surface is much faster than the body, or sources answer, implicit steps are better.
-  constexpr double most = 4.0;
+  constexpr double most = 100.0;
   // A law that is not linear has steeper tangents than its slope, by 4 at most under radiation.
   constexpr double steeper = 4.0;
   const double conduction = 2.0 / limit_.hard;
