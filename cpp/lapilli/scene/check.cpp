@@ -286,8 +286,7 @@ CheckReport estimate(const Scene& scene, const SizeEstimate& size) {
   report.hard_limit = std::numeric_limits<double>::infinity();
   estimate_steps(scene, report);
   report.notes.push_back(message("not built, since it is large: about ", size.points,
-                                 " points and ", readable_bytes(size.memory),
-                                 " by its bounds"));
+                                 " points and ", readable_bytes(size.memory), " by its bounds"));
   return report;
 }
 

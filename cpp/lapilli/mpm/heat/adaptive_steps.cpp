@@ -22,6 +22,7 @@ constexpr int most_stages = 1000;  // beyond, rounding grows with their square
 // from the first of a length that three of them bear.
 constexpr double price_of_order = 1.5;
 constexpr double shortest = 4.0;  // explicit steps
+constexpr double growth = 1.5;    // from one to the next, at most
 
 }  // namespace
 
@@ -76,17 +77,18 @@ bool AdaptiveSteps::is_worth(double size) const {
 
 bool AdaptiveSteps::choose(double time, double last_jump, double next_entry) {
   if (are_long()) {
+    constexpr double clearly = 0.8;
     const double size = std::min(size_, next_entry - time);
+    const SteppingKind best = cheapest(size);
+    const bool is_better = best != kind_ && best != SteppingKind::explicit_euler &&
+                           cost_of(best, size) < clearly * cost_of(kind_, size);
+    if (last_jump <= since_ && is_better) {
+      kind_ = best;
+      return true;
+    }
     if (last_jump > since_ || !is_worth(size)) {
       give_up(time);
       since_ = std::max(last_jump, since_);
-      return true;
-    }
-    constexpr double clearly = 0.8;
-    const SteppingKind best = cheapest(size);
-    if (best != kind_ && best != SteppingKind::explicit_euler &&
-        cost_of(best, size) < clearly * cost_of(kind_, size)) {
-      kind_ = best;
       return true;
     }
     return false;
@@ -98,7 +100,7 @@ bool AdaptiveSteps::choose(double time, double last_jump, double next_entry) {
     return false;
   }
   kind_ = best;
-  size_ = size;
+  size_ = best == SteppingKind::stages ? std::min(size, growth * explicit_step_) : size;
   return true;
 }
 
@@ -113,9 +115,15 @@ double AdaptiveSteps::shorter(double size, double error) const {
 }
 
 void AdaptiveSteps::follow(double size, double error) {
-  constexpr double caution = 0.9, most = 2.0, worth_a_new_factor = 1.5;
+  constexpr double caution = 0.9, worth_a_new_factor = 1.5;
+  const double most = kind_ == SteppingKind::stages ? growth : 2.0;
+  if (error < 0.0) {
+    size_ = std::min({std::max(size, least_size()), most * size, longest_});
+    return;
+  }
   const double factor = error > 0.0 ? std::min(most, caution * std::cbrt(allowed_ / error)) : most;
-  const double wanted = std::max(least_size(), std::min(longest_, size * factor));
+  const double least = std::min(least_size(), most * size);
+  const double wanted = std::max(least, std::min(longest_, size * factor));
   const bool shortened = size < (1.0 - 1e-6) * size_;  // to end at a frame or an entry
   if (shortened && factor == most && wanted < size_) {
     return;
@@ -131,8 +139,8 @@ void AdaptiveSteps::give_up(double time) {
 }
 
 void AdaptiveSteps::count(double time, double end, double last_jump, StepsAhead& all) const {
-  constexpr double bunch = 64.0, growth = 0.05;  // of explicit steps looked at together
-  constexpr int looks = 10'000;                   // the rest is as what was looked at last
+  constexpr double bunch = 64.0, waits = 0.05;  // of explicit steps looked at together
+  constexpr int looks = 10'000;                 // the rest is as what was looked at last
   const double since = std::max(since_, last_jump);
   double size = are_long() && last_jump <= since_ ? size_ : 0.0;
   double now = time;
@@ -143,7 +151,7 @@ void AdaptiveSteps::count(double time, double end, double last_jump, StepsAhead&
     const bool is_long = kind != SteppingKind::explicit_euler;
     const double span =
         is_long ? next
-                : std::min(end - now, std::max(bunch * explicit_step_, growth * (now - since)));
+                : std::min(end - now, std::max(bunch * explicit_step_, waits * (now - since)));
     const double times = look < looks ? 1.0 : (end - now) / span;
     const double number = times * (is_long ? 1.0 : std::ceil(span / explicit_step_));
     all.number += number;

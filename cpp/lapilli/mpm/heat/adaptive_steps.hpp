@@ -48,7 +48,7 @@ class AdaptiveSteps {
   bool accepts(double size, double error) const;
   /// What to try after a step of `size` with this error was not accepted, s.
   double shorter(double size, double error) const;
-  /// Choose the size of the next step after one of `size` with this error.
+  /// Choose the size of the next step after one of `size` with this error; below 0: not known.
   void follow(double size, double error);
   /// Steps as short as these are better taken explicitly.
   bool is_worth(double size) const;

@@ -147,7 +147,7 @@ StepReport CutCellHeat<Dim>::advance(const Step& step) {
     return report;
   }
   if (!is_implicit()) {
-    take_explicit_step(step);
+    step_explicitly(step);
     finish_step(step);
     return report;
   }
@@ -167,9 +167,6 @@ void CutCellHeat<Dim>::take_explicit_step(const Step& step) {
     conduct(one, step);
     release_sources(one, step);
     exchange_with_surroundings(one, step);
-    if (is_adaptive()) {
-      watch_curvature(one, step);
-    }
     finish(one);
   }
   self_heating_.require_followed(step.size);

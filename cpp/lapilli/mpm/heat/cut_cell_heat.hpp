@@ -75,6 +75,7 @@ class CutCellHeat final : public Physics,
     std::unique_ptr<System> all;        // every law on every node, for implicit steps
     std::vector<double> inverse;        // 1/C', one for followers
     std::vector<double> increment;      // K
+    SurfaceSolver solver_of_whole;      // near the surface, of steps that are halved as well
     NodalRange<Dim> range;
     std::vector<double> earlier;  // K/s, of the step before; kept now and then by adaptive steps
     HeatRates rates;              // at the start of the next step in stages; empty: not known
@@ -90,6 +91,10 @@ class CutCellHeat final : public Physics,
     return problem_.settings.time_integration == TimeIntegration::automatic;
   }
 
+  /// One Euler step; while these are long beside the time since something began or bent, one and
+  /// two halves, extrapolated (Richardson 1911).
+  void step_explicitly(const Step& step);
+  double time_since_entry(double time) const;  // of a table; since the start where none has one, s
   void take_explicit_step(const Step& step);
   // Its phases, part by part.
   void conduct(Solved& one, const Step& step);
@@ -120,8 +125,9 @@ class CutCellHeat final : public Physics,
   void choose_steps(const Step& last);
   double next_entry(double time) const;
   double last_jump() const;  // of a table up to now, s
-  /// Keep the rates of change of one step, or compare them with those of the step before.
-  void watch_curvature(Solved& one, const Step& step);
+  /// Keep the rates of change of one step, or compare them with those of the step before. `left`:
+  /// share of its error that a step has not got rid of.
+  void watch_curvature(Solved& one, const Step& step, double left);
   /// Go from the kind of steps so far to that chosen. `last`: size of the last step, s.
   void change_steps(SteppingKind before, double last);
   void begin_implicit_steps(SteppingKind before, double last);

@@ -158,7 +158,8 @@ bool CutCellHeat<Dim>::try_all(double begin, double size, std::vector<Attempt>& 
     }
     error = std::max(error, attempts[k].local / span);
   }
-  return adaptive_.accepts(size, error) || (adaptive_.kind() == SteppingKind::stages && calming_ > 0);
+  return adaptive_.accepts(size, error) ||
+         (adaptive_.kind() == SteppingKind::stages && calming_ > 0);
 }
 
 template <int Dim>
@@ -170,7 +171,7 @@ void CutCellHeat<Dim>::cover_explicitly(const Step& step, double begin, double s
     StepLimit limit = limit_;
     self_heating_.bound(limit);
     const double left = size - done, count = std::ceil(left / limit.automatic);
-    take_explicit_step({begin + done, left / count, 0, step.output_due});
+    step_explicitly({begin + done, left / count, 0, step.output_due});
     done = count > 1.0 ? done + left / count : size;
   }
   adaptive_.give_up(end);
@@ -208,11 +209,8 @@ StepReport CutCellHeat<Dim>::advance_adaptively(const Step& step) {
     }
     widen_span();
     ++(in_stages ? staged_steps_ : implicit_steps_);
-    if (calming_ > 0) {
-      --calming_;
-    } else {
-      adaptive_.follow(size, error);
-    }
+    adaptive_.follow(size, calming_ > 0 ? -1.0 : error);
+    calming_ = std::max<Index>(0, calming_ - 1);
     done = is_last ? step.size : done + size;
   }
   return report;

@@ -4,8 +4,8 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/bridged_gaps.hpp"
-#include "lapilli/mpm/heat/drawn_gaps.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
+#include "lapilli/mpm/heat/drawn_gaps.hpp"
 #include "lapilli/mpm/heat/functions_in_time.hpp"
 #include "lapilli/mpm/heat/heat_balance.hpp"
 #include "lapilli/mpm/heat/slanted_interfaces.hpp"
@@ -147,6 +147,7 @@ void CutCellHeat<Dim>::save(Archive& archive) const {
     archive.write(message("heat/temperature ", k), solved_[k].part.temperature);
     if (!is_implicit()) {
       solved_[k].near.solver.save(archive, message("heat/solver ", k));
+      solved_[k].solver_of_whole.save(archive, message("heat/solver of whole ", k));
     }
     if (const auto& all = solved_[k].all) {
       all->solver.save(archive, message("heat/solver of all ", k));
@@ -171,6 +172,7 @@ void CutCellHeat<Dim>::load(const Archive& archive) {
     archive.read(message("heat/temperature ", k), std::span<double>(solved_[k].part.temperature));
     if (!is_implicit()) {
       solved_[k].near.solver.load(archive, message("heat/solver ", k));
+      solved_[k].solver_of_whole.load(archive, message("heat/solver of whole ", k));
     }
     if (const auto& all = solved_[k].all) {
       all->solver.load(archive, message("heat/solver of all ", k));

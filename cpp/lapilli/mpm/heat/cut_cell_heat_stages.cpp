@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "lapilli/mpm/heat/chebyshev_stages.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
@@ -8,6 +7,29 @@
 #include "lapilli/mpm/heat/part_sources.hpp"
 
 namespace lapilli {
+namespace {
+
+/// Enter the embedded estimate of the error of a step, from the rates at its ends; returns what
+/// nodes stored in it, J.
+template <class Attempt>
+double estimate_error(std::span<const double> capacity, std::span<const double> start,
+                      std::span<const double> first, double size, Attempt& attempt) {
+  double stored = 0.0;
+  attempt.nodal_error.assign(start.size(), 0.0);
+  for (std::size_t place = 0; place < start.size(); ++place) {
+    if (capacity[place] > 0.0) {
+      const double rise = attempt.nodal[place] - start[place];
+      const double rates = first[place] + attempt.rates.rise[place];
+      const double local = 0.4 * size * rates - 0.8 * rise;
+      stored += capacity[place] * rise;
+      attempt.nodal_error[place] = local;
+      attempt.local = std::max(attempt.local, std::abs(local));
+    }
+  }
+  return stored;
+}
+
+}  // namespace
 
 template <int Dim>
 double CutCellHeat<Dim>::rate_of_stages() const {
@@ -93,20 +115,21 @@ bool CutCellHeat<Dim>::try_stages(Solved& one, double begin, double size, Attemp
     one.rates = find_rates(one, start, begin);
   }
   const HeatRates& first = one.rates;
-  // What laws and sources give goes the way of the temperatures.
-  struct Given {
-    std::vector<double> by_law;  // J
-    double by_sources = 0.0;
+  // What laws and sources give goes the way of the temperatures, J.
+  std::vector<double> given_before(laws_.size() + 1, 0.0), given = given_before;
+  const auto powers = [](const HeatRates& rates) {
+    std::vector<double> all = rates.by_law;
+    all.push_back(rates.by_sources);
+    return all;
   };
-  Given given_before{std::vector<double>(laws_.size(), 0.0), 0.0}, given = given_before;
+  const std::vector<double> first_powers = powers(first);
   std::vector<double> before = start, now(start.size());
   const double of_first = stages.first() * size;
   parallel_for(
       count, [&](Index k) { now[k] = start[k] + of_first * first.rise[k]; }, Work::light);
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    given.by_law[law] = of_first * first.by_law[law];
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    given[k] = of_first * first_powers[k];
   }
-  given.by_sources = of_first * first.by_sources;
   double at = stages.first();
   for (const ChebyshevStages::Stage& stage : stages.later()) {
     const HeatRates there = find_rates(one, now, std::min(begin + at * size, last));
@@ -117,35 +140,24 @@ bool CutCellHeat<Dim>::try_stages(Solved& one, double begin, double size, Attemp
     };
     parallel_for(
         count,
-        [&](Index k) { before[k] = next(start[k], now[k], before[k], there.rise[k], first.rise[k]); },
+        [&](Index k) {
+          before[k] = next(start[k], now[k], before[k], there.rise[k], first.rise[k]);
+        },
         Work::light);
     before.swap(now);
-    for (std::size_t law = 0; law < laws_.size(); ++law) {
-      given_before.by_law[law] = next(0.0, given.by_law[law], given_before.by_law[law],
-                                      there.by_law[law], first.by_law[law]);
+    const std::vector<double> there_powers = powers(there);
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      given_before[k] = next(0.0, given[k], given_before[k], there_powers[k], first_powers[k]);
     }
-    given_before.by_sources = next(0.0, given.by_sources, given_before.by_sources,
-                                   there.by_sources, first.by_sources);
-    std::swap(given, given_before);
+    given.swap(given_before);
     at = stage.at;
   }
   attempt.rates = find_rates(one, now, last);
   attempt.nodal = std::move(now);
-  attempt.of_laws = given.by_law;
-  attempt.of_sources = given.by_sources;
-  attempt.given = std::accumulate(given.by_law.begin(), given.by_law.end(), 0.0);
-  attempt.nodal_error.assign(start.size(), 0.0);
-  double stored = 0.0;
-  for (Index k = 0; k < count; ++k) {
-    if (one.part.capacity[k] > 0.0) {
-      const double rise = attempt.nodal[k] - start[k];
-      stored += one.part.capacity[k] * rise;
-      const double local =
-          -0.8 * rise + 0.4 * size * (first.rise[k] + attempt.rates.rise[k]);
-      attempt.nodal_error[k] = local;
-      attempt.local = std::max(attempt.local, std::abs(local));
-    }
-  }
+  attempt.of_sources = given.back();
+  given.pop_back();
+  attempt.of_laws = std::move(given);
+  const double stored = estimate_error(one.part.capacity, start, first.rise, size, attempt);
   attempt.given = stored - attempt.of_sources;
   return std::isfinite(attempt.local) && std::isfinite(stored);
 }
@@ -195,12 +207,12 @@ void CutCellHeat<Dim>::begin_stages() {
   }
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                          \
-  template double CutCellHeat<Dim>::rate_of_stages() const;                               \
-  template typename CutCellHeat<Dim>::HeatRates CutCellHeat<Dim>::find_rates(             \
-      Solved&, std::span<const double>, double);                                          \
-  template bool CutCellHeat<Dim>::try_stages(Solved&, double, double, Attempt&);         \
-  template void CutCellHeat<Dim>::commit_stages(double, std::vector<Attempt>&);           \
+#define LAPILLI_INSTANTIATE(Dim)                                                 \
+  template double CutCellHeat<Dim>::rate_of_stages() const;                      \
+  template typename CutCellHeat<Dim>::HeatRates CutCellHeat<Dim>::find_rates(    \
+      Solved&, std::span<const double>, double);                                 \
+  template bool CutCellHeat<Dim>::try_stages(Solved&, double, double, Attempt&); \
+  template void CutCellHeat<Dim>::commit_stages(double, std::vector<Attempt>&);  \
   template void CutCellHeat<Dim>::begin_stages();
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

@@ -28,16 +28,6 @@ double worth_of_implicit_step(double nodes) {
   }
 }
 
-void write(Archive& archive, const std::string& name, const Vector& values) {
-  archive.write(name,
-                std::span<const double>(values.data(), static_cast<std::size_t>(values.size())));
-}
-
-Vector read(const Archive& archive, const std::string& name) {
-  const std::vector<double> values = archive.read_numbers(name);
-  return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
 }  // namespace
 
 template <int Dim>
@@ -128,12 +118,12 @@ void CutCellHeat<Dim>::change_steps(SteppingKind before, double last) {
   if (before != SteppingKind::explicit_euler) {
     explicit_error_ = largest_error();
   }
+  calming_ = 0;
   if (adaptive_.kind() == SteppingKind::implicit) {
     begin_implicit_steps(before, last);
     return;
   }
   end_long_steps();
-  calming_ = 0;
   if (adaptive_.kind() == SteppingKind::stages) {
     begin_stages();
   }
@@ -212,7 +202,10 @@ void CutCellHeat<Dim>::widen_span() {
 }
 
 template <int Dim>
-void CutCellHeat<Dim>::watch_curvature(Solved& one, const Step& step) {
+void CutCellHeat<Dim>::watch_curvature(Solved& one, const Step& step, double left) {
+  if (!is_adaptive()) {
+    return;
+  }
   if (is_look(step.index + 1)) {
     one.earlier = one.increment;
     for (double& rate : one.earlier) {
@@ -227,7 +220,7 @@ void CutCellHeat<Dim>::watch_curvature(Solved& one, const Step& step) {
         most = std::max(most, std::abs(one.increment[place] / step.size - one.earlier[place]));
       }
     }
-    explicit_error_ = 0.5 * most * (step.time + step.size - laws_.last_jump(step.time));
+    explicit_error_ = left * 0.5 * most * (step.time + step.size - laws_.last_jump(step.time));
     one.earlier.clear();
     widen_span();
   }
@@ -253,72 +246,18 @@ double CutCellHeat<Dim>::temperature_span() const {
   return std::max({highest_ - lowest_, rounding, 1e-300});
 }
 
-template <int Dim>
-void CutCellHeat<Dim>::save_stepping(Archive& archive) const {
-  adaptive_.save(archive);
-  archive.write("heat/stepping/lowest", lowest_);
-  archive.write("heat/stepping/highest", highest_);
-  archive.write("heat/stepping/explicit_error", explicit_error_);
-  archive.write("heat/stepping/implicit_steps", implicit_steps_);
-  archive.write("heat/stepping/staged_steps", staged_steps_);
-  archive.write("heat/stepping/bend", bend_);
-  archive.write("heat/stepping/calming", calming_);
-  archive.write("heat/stepping/factor_size", factor_size_);
-  for (std::size_t k = 0; k < solved_.size(); ++k) {
-    const Solved& one = solved_[k];
-    archive.write(message("heat/stepping/earlier ", k), one.earlier);
-    archive.write(message("heat/stepping/rise ", k), one.rates.rise);
-    archive.write(message("heat/stepping/by_law ", k), one.rates.by_law);
-    archive.write(message("heat/stepping/by_sources ", k), one.rates.by_sources);
-    archive.write(message("heat/stepping/nodal_error ", k), one.error);
-    if (const auto& all = one.all) {
-      write(archive, message("heat/stepping/error ", k), all->error);
-      write(archive, message("heat/stepping/rate ", k), all->rate);
-    }
-  }
-}
-
-template <int Dim>
-void CutCellHeat<Dim>::load_stepping(const Archive& archive) {
-  adaptive_.load(archive);
-  lowest_ = archive.read_number("heat/stepping/lowest");
-  highest_ = archive.read_number("heat/stepping/highest");
-  explicit_error_ = archive.read_number("heat/stepping/explicit_error");
-  implicit_steps_ = archive.read_index("heat/stepping/implicit_steps");
-  staged_steps_ = archive.read_index("heat/stepping/staged_steps");
-  bend_ = archive.read_number("heat/stepping/bend");
-  calming_ = archive.read_index("heat/stepping/calming");
-  factor_size_ = archive.read_number("heat/stepping/factor_size");
-  for (std::size_t k = 0; k < solved_.size(); ++k) {
-    Solved& one = solved_[k];
-    one.earlier = archive.read_numbers(message("heat/stepping/earlier ", k));
-    one.rates = {archive.read_numbers(message("heat/stepping/rise ", k)),
-                 archive.read_numbers(message("heat/stepping/by_law ", k)),
-                 archive.read_number(message("heat/stepping/by_sources ", k))};
-    one.error = archive.read_numbers(message("heat/stepping/nodal_error ", k));
-    one.all.reset();
-    if (adaptive_.kind() == SteppingKind::implicit) {
-      number_all_leaders(one);
-      one.all->error = read(archive, message("heat/stepping/error ", k));
-      one.all->rate = read(archive, message("heat/stepping/rate ", k));
-    }
-  }
-}
-
-#define LAPILLI_INSTANTIATE(Dim)                                         \
-  template void CutCellHeat<Dim>::begin_adaptive_steps();                \
-  template double CutCellHeat<Dim>::step_of_functions();                 \
-  template void CutCellHeat<Dim>::follow_changes(double, double);        \
-  template double CutCellHeat<Dim>::next_entry(double) const;            \
-  template void CutCellHeat<Dim>::choose_steps(const Step&);             \
-  template void CutCellHeat<Dim>::watch_curvature(Solved&, const Step&); \
-  template void CutCellHeat<Dim>::end_long_steps();                      \
-  template StepsAhead CutCellHeat<Dim>::steps_ahead() const;             \
-  template void CutCellHeat<Dim>::widen_span();                          \
-  template double CutCellHeat<Dim>::temperature_span() const;            \
-  template double CutCellHeat<Dim>::largest_error() const;               \
-  template void CutCellHeat<Dim>::save_stepping(Archive&) const;         \
-  template void CutCellHeat<Dim>::load_stepping(const Archive&);
+#define LAPILLI_INSTANTIATE(Dim)                                                 \
+  template void CutCellHeat<Dim>::begin_adaptive_steps();                        \
+  template double CutCellHeat<Dim>::step_of_functions();                         \
+  template void CutCellHeat<Dim>::follow_changes(double, double);                \
+  template double CutCellHeat<Dim>::next_entry(double) const;                    \
+  template void CutCellHeat<Dim>::choose_steps(const Step&);                     \
+  template void CutCellHeat<Dim>::watch_curvature(Solved&, const Step&, double); \
+  template void CutCellHeat<Dim>::end_long_steps();                              \
+  template StepsAhead CutCellHeat<Dim>::steps_ahead() const;                     \
+  template void CutCellHeat<Dim>::widen_span();                                  \
+  template double CutCellHeat<Dim>::temperature_span() const;                    \
+  template double CutCellHeat<Dim>::largest_error() const;
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)

@@ -97,16 +97,16 @@ std::vector<std::string> drawn_gaps(std::span<const SurfaceFound> found,
   std::vector<std::string> all;
   for (std::size_t body = 0; body < found.size(); ++body) {
     for (const SurfaceFound::NearBody& near : found[body].near) {
-      const bool told = near.other < body &&
-                        std::ranges::any_of(found[near.other].near, [&](const auto& back) {
-                          return back.other == body && is_drawn(back, cell, dimension);
-                        });
+      const bool told =
+          near.other < body && std::ranges::any_of(found[near.other].near, [&](const auto& back) {
+            return back.other == body && is_drawn(back, cell, dimension);
+          });
       if (told || !is_drawn(near, cell, dimension)) {
         continue;
       }
       all.push_back(message(
-          "heat: ", names[body], " and ", names[near.other], " are ",
-          in_cells(near.width, cell), " apart at ", text_of(near.middle, dimension), " m, ",
+          "heat: ", names[body], " and ", names[near.other], " are ", in_cells(near.width, cell),
+          " apart at ", text_of(near.middle, dimension), " m, ",
           near.touches ? "beside where they touch: their faces there are free surface"
                        : "so that no heat passes between them",
           "; a gap below ", drawn, " cells looks like rounding of a drawing: bodies touch where ",

@@ -20,8 +20,8 @@ template <int Dim>
 void enter_facing(const SurfacePiece<Dim>& piece, std::span<const Shape> shapes, std::size_t body,
                   double cell, SurfaceFound& found);
 
-/// ": 2e-05 m (0.02 cells) lie between them", the gap between two bodies, given by name, that were found to face
-/// each other so near; empty where there is none. `found` by body.
+/// ": 2e-05 m (0.02 cells) lie between them", the gap between two bodies, given by name, that were
+/// found to face each other so near; empty where there is none. `found` by body.
 std::string gap_between(const std::vector<std::string>& pair, std::span<const SurfaceFound> found,
                         const std::vector<HeatBody>& bodies, double cell);
 

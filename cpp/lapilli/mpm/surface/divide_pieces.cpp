@@ -12,7 +12,7 @@ namespace {
 constexpr double on_wall_by = 1e-6;
 constexpr double slack = 0.35;    // of a region that ends along the surface
 constexpr double on_edge = 1e-6;  // beyond its edge a place counts as in a region
-constexpr double entered = 0.1;  // of the distance before: a tangent circle leaves a fourth
+constexpr double entered = 0.1;   // of the distance before: a tangent circle leaves a fourth
 
 constexpr double least_slope = 0.09;  // of a region's boundary that surface passes, 5 degrees
 
