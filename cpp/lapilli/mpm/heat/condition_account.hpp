@@ -24,6 +24,10 @@ class ConditionAccount {
   double heat(std::size_t condition) const {
     return sums_[condition].sum + sums_[condition].dropped;
   }
+
+  /// Go on as far again beyond `coarse`, both from one start: Richardson's extrapolation.
+  void extrapolate(const ConditionAccount& coarse);
+
   std::vector<Balance::Entry> entries(std::span<const HeatBoundary> conditions) const;
   void save(Archive& archive, const std::string& name) const;
   void load(const Archive& archive, const std::string& name);
