@@ -33,7 +33,9 @@ set(kernels
     mpm/dynamics/damp_nodes.cpp
     mpm/dynamics/node_fields.cpp
     mpm/dynamics/obstacles/contact.cpp
+    mpm/dynamics/obstacles/light_nodes.cpp
     mpm/dynamics/obstacles/obstacle_contacts.cpp
+    mpm/dynamics/obstacles/obstacle_contacts_near.cpp
     mpm/dynamics/obstacles/obstacles.cpp
     mpm/dynamics/plastic_heat.cpp
     mpm/dynamics/project_to_grid.cpp
@@ -43,13 +45,18 @@ set(kernels
     mpm/dynamics/update_points.cpp
     mpm/dynamics/wall_friction.cpp
     mpm/heat/cut_cell_heat_output.cpp
+    mpm/heat/cut_cell_heat_extrapolated.cpp
+    mpm/heat/cut_cell_heat_stages.cpp
     mpm/heat/cut_cell_heat_surface.cpp
     mpm/heat/cut_cell_heat_theta.cpp
     mpm/heat/enthalpy_heat.cpp
     mpm/heat/enthalpy_heat_surface.cpp
     mpm/heat/heat_balance.cpp
+    mpm/heat/heat_fields.cpp
+    mpm/heat/heat_fields_contact.cpp
     mpm/heat/nodal_enthalpy.cpp
     mpm/heat/nodal_range.cpp
+    mpm/heat/obstacle_exchange.cpp
     mpm/heat/particle_heat.cpp
     mpm/heat/particle_heat_exchange.cpp
     mpm/heat/point_fields.cpp
@@ -57,6 +64,7 @@ set(kernels
     mpm/heat/surface_conditions.cpp
     mpm/heat/surface_term.cpp
     mpm/heat/theta_solver.cpp
+    mpm/heat/touching_surface.cpp
     mpm/quasi_static/boundary.cpp
     mpm/quasi_static/equilibrium.cpp
     mpm/quasi_static/equilibrium_tangent.cpp
@@ -73,6 +81,7 @@ set(kernels
     mpm/transfer/cell_order.cpp
     peridynamics/bond_balance.cpp
     peridynamics/bond_sums.cpp
+    peridynamics/borne_weight.cpp
     peridynamics/conductances.cpp
     peridynamics/conduction.cpp
     peridynamics/conduction_at_rest.cpp
@@ -82,6 +91,7 @@ set(kernels
     peridynamics/operators.cpp
     peridynamics/peridynamic_flow.cpp
     peridynamics/peridynamic_flow_bonds.cpp
+    peridynamics/peridynamic_flow_weight.cpp
     peridynamics/stress_force.cpp
     peridynamics/two_field_conduction.cpp
     peridynamics/wall_velocity.cpp)
