@@ -9,10 +9,12 @@ namespace lapilli {
 namespace {
 
 // Lengths in cells.
-constexpr double gap = 2e-3;  // bodies less apart touch
 constexpr double on_wall_by = 1e-6;
 constexpr double slack = 0.35;    // of a region that ends along the surface
 constexpr double on_edge = 1e-6;  // beyond its edge a place counts as in a region
+constexpr double entered = 0.1;   // of the distance before: a tangent circle leaves a fourth
+
+constexpr double least_slope = 0.09;  // of a region's boundary that surface passes, 5 degrees
 
 }  // namespace
 
@@ -59,7 +61,7 @@ int SurfaceDivision<Dim>::label_at(const Vec<Dim>& at, const Vec<Dim>& normal, b
     if (on_wall(at, normal)) {
       return on_wall_label;
     }
-    const Vec3 beyond = project(bodies_[own_], place) + gap * grid_.cell_size() * outward;
+    const Vec3 beyond = project(bodies_[own_], place) + contact_gap * grid_.cell_size() * outward;
     for (std::size_t other = 0; other < bodies_.size(); ++other) {
       if (other != own_ && distance(bodies_[other], beyond) <= 0.0) {
         if (std::find(touching_.begin(), touching_.end(), other) == touching_.end()) {
@@ -77,6 +79,19 @@ int SurfaceDivision<Dim>::label_at(const Vec<Dim>& at, const Vec<Dim>& normal, b
   return nobody;
 }
 
+/// Whether the surface, followed from a place outside of a region against its gradient along the
+/// surface, soon comes into it: then it passes the region's boundary and does not run along it.
+template <int Dim>
+bool SurfaceDivision<Dim>::enters(const Shape& region, const Vec3& place, double from,
+                                  const Vec3& along) const {
+  const double slope = along.norm();
+  if (slope < least_slope) {
+    return false;
+  }
+  const Vec3 there = project(bodies_[own_], place - (from / (slope * slope)) * along);
+  return distance(region, there) < std::max(entered * from, on_edge * grid_.cell_size());
+}
+
 template <int Dim>
 double SurfaceDivision<Dim>::depth_in(std::size_t law, const Vec<Dim>& at, const Vec<Dim>& normal,
                                       double margin) const {
@@ -90,8 +105,11 @@ double SurfaceDivision<Dim>::depth_in(std::size_t law, const Vec<Dim>& at, const
   if (std::abs(from) > slack * h) {
     return -from;
   }
-  const double across = gradient(*region, place).dot(in_space<Dim>(normal));
-  return h * std::max(margin, slack * std::pow(std::max(across, 0.0), 8)) - from;
+  const Vec3 outward = in_space<Dim>(normal), away = gradient(*region, place);
+  const double across = std::max(away.dot(outward), 0.0);
+  const Vec3 along = away - across * outward;
+  const bool passes = from > 0.0 && across > 0.0 && enters(*region, place, from, along);
+  return h * (passes ? margin : std::max(margin, slack * std::pow(across, 8))) - from;
 }
 
 /// At its corners, its middle and half way between these and each other.

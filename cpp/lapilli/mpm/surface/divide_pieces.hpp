@@ -10,6 +10,8 @@
 
 namespace lapilli {
 
+inline constexpr double contact_gap = 2e-3;  // cells; bodies less apart touch
+
 /// Tells which boundary condition has a place of a body's surface.
 template <int Dim>
 class SurfaceDivision {
@@ -82,6 +84,7 @@ class SurfaceDivision {
   /// How far a place lies in the region of a law, m; negative outside. `margin` (cells): how far
   /// beyond its edge a region still counts.
   double depth_in(std::size_t law, const Vec<Dim>& at, const Vec<Dim>& normal, double margin) const;
+  bool enters(const Shape& region, const Vec3& place, double from, const Vec3& along) const;
   bool near_others(const SurfacePiece<Dim>& piece) const;
   int label_at(const Vec<Dim>& at, const Vec<Dim>& normal, bool near);
   bool on_wall(const Vec<Dim>& at, const Vec<Dim>& normal) const;
