@@ -43,6 +43,7 @@ constexpr Known known_diagnostics[] = {
     {"time_error", "", false,
      "estimated error of the steps so far, as a share of the span of temperatures"},
     {"implicit_steps", "", false, "implicit steps taken so far", true},
+    {"staged_steps", "", false, "explicit steps of many stages taken so far", true},
     {"heat_from_", "J", true, "heat that has passed from one body to another", true},
     {"nodal_stray", "K", false,
      "how far nodes are beyond the temperatures of start and surroundings now"},

@@ -14,7 +14,9 @@
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
+#include "lapilli/scene/check_large.hpp"
 #include "lapilli/scene/check_stages.hpp"
+#include "lapilli/scene/check_steps.hpp"
 #include "lapilli/scene/common_motion.hpp"
 #include "lapilli/scene/memory.hpp"
 #include "lapilli/scene/resolve_files.hpp"
@@ -81,6 +83,7 @@ void describe_peridynamics(const Scene& scene, CheckReport& report) {
   if (settings.walls.empty()) {
     report.notes.push_back("[peridynamics] has no walls: nothing holds the fluid");
   }
+  std::ranges::copy(heat_warnings(scene), std::back_inserter(report.notes));
   for (const char* absent : {"free surfaces", "properties that depend on temperature",
                              "heat within walls", "radiation", "turbulence"}) {
     report.not_modelled.push_back(absent);
@@ -256,61 +259,6 @@ void describe_step(const Scene& scene, Simulation& simulation, CheckReport& repo
   }
 }
 
-/// Steps from `begin` on that are `size` long but end at frames.
-double steps_until_end(const Scene& scene, double begin, double size) {
-  const double end = scene.time.end, every = scene.output.every.value_or(end);
-  double steps = 0.0;
-  const auto add_steps = [&](double span, double times) {
-    steps += times * std::ceil(std::max(0.0, span) / size * (1.0 - 1e-9));
-  };
-  const double next_frame = std::min(end, every * (std::floor(begin / every * (1.0 + 1e-9)) + 1.0));
-  add_steps(next_frame - begin, 1.0);
-  const double frames = std::floor((end - next_frame) / every * (1.0 + 1e-9));
-  add_steps(every, frames);
-  add_steps(end - next_frame - frames * every, 1.0);
-  return steps;
-}
-
-// Steps of later stages count by their points.
-double steps_of_all_stages(const CheckReport& report) {
-  auto steps = static_cast<double>(report.steps);
-  for (const CheckReport::StageReport& stage : report.stages) {
-    steps += static_cast<double>(stage.steps) * static_cast<double>(stage.points) /
-             static_cast<double>(report.points);
-  }
-  return steps;
-}
-
-constexpr double most_steps = 9e18;  // that an integer counts
-
-// The first step also assembles what later ones use, and is often shorter, so it is not counted.
-void measure_steps(const Scene& scene, Simulation& simulation, CheckReport& report) {
-  constexpr double patience = 0.3;  // s
-  const Clock::time_point first = Clock::now();
-  double seconds_of_first = 0.0, seconds_of_others = 0.0;
-  Index taken = 0;
-  double size = report.step;
-  try {
-    simulation.step(scene.time.end);
-    seconds_of_first = seconds_since(first);
-    const Clock::time_point start = Clock::now();
-    while (simulation.time() < scene.time.end && seconds_of_others < patience) {
-      size = simulation.next_step_size();
-      simulation.step(scene.time.end);
-      ++taken;
-      seconds_of_others = seconds_since(start);
-    }
-  } catch (const RunError& error) {
-    report.notes.push_back(message("fails soon: ", error.what()));
-  }
-  report.step = size;
-  const double left = steps_until_end(scene, simulation.time(), size);
-  report.steps = 1 + taken + static_cast<Index>(std::min(left, most_steps));
-  const double cost =
-      taken == 0 ? seconds_of_first : seconds_of_others / static_cast<double>(taken);
-  report.seconds_to_run = cost * steps_of_all_stages(report);
-}
-
 // What a run leaves on disk, before compression: the fields asked for at every frame.
 double output_of(const Scene& scene, Simulation& simulation) {
   const FrameOptions frames = frame_options(scene);
@@ -336,10 +284,9 @@ CheckReport estimate(const Scene& scene, const SizeEstimate& size) {
   report.points = static_cast<Index>(size.points);
   report.memory = size.memory;
   report.hard_limit = std::numeric_limits<double>::infinity();
-  report.step_reason = "not known: not built";
+  estimate_steps(scene, report);
   report.notes.push_back(message("not built, since it is large: about ", size.points,
-                                 " points and ", readable_bytes(size.memory),
-                                 " by its bounds; steps and times are not known"));
+                                 " points and ", readable_bytes(size.memory), " by its bounds"));
   return report;
 }
 

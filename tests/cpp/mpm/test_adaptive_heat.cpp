@@ -1,5 +1,6 @@
 // Heat that chooses its own steps: the same bytes when resumed in either phase, for any threads.
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/geometry/fill.hpp"
@@ -29,17 +30,16 @@ Simulation start() {
   return scenes::simulate<2>(std::move(points), problem, 0.0, 9000.0);
 }
 
-double implicit_steps(const Simulation& simulation) {
+double long_steps(const Simulation& simulation) {
+  double sum = 0.0;
   for (const auto& [name, value] : simulation.physics().front()->diagnostics()) {
-    if (name == "implicit_steps") {
-      return value;
-    }
+    sum += name == "implicit_steps" || name == "staged_steps" ? value : 0.0;
   }
-  return -1.0;
+  return sum;
 }
 
 TEST_CASE("A run that chooses its steps goes on with the same bytes") {
-  // In the explicit phase, between two implicit steps, right before and after a jump, on a ramp.
+  // In the explicit phase, between two long steps, right before and after a jump, on a ramp.
   for (const double pause : {100.0, 2500.0, 3000.0, 3010.0, 5000.0}) {
     Simulation whole = start();
     whole.run_until(pause);
@@ -50,8 +50,8 @@ TEST_CASE("A run that chooses its steps goes on with the same bytes") {
     resumed.load(archive);
     resumed.run_until(pause + 2000.0);
     INFO("paused at " << pause);
-    CHECK(implicit_steps(whole) > 0.0);
-    CHECK(implicit_steps(whole) == implicit_steps(resumed));
+    CHECK(long_steps(whole) > 0.0);
+    CHECK(long_steps(whole) == long_steps(resumed));
     CHECK(whole.step_index() == resumed.step_index());
     CHECK(scenes::largest_difference(scenes::by_id(whole, "temperature"),
                                      scenes::by_id(resumed, "temperature")) == 0.0);
@@ -64,7 +64,7 @@ TEST_CASE("Implicit steps come when they pay, follow their error and leave for j
   CHECK_FALSE(steps.choose(50.0, 0.0, never));   // 0.08 x 50 < 100 x 0.1
   CHECK_FALSE(steps.choose(200.0, 0.0, 205.0));  // a table has its next entry too soon
   CHECK(steps.choose(200.0, 0.0, never));
-  CHECK(steps.are_implicit());
+  CHECK(steps.kind() == SteppingKind::implicit);
   CHECK(steps.size() == Approx(16.0));
   steps.follow(16.0, 0.2e-4);  // as large as allowed: a little shorter
   CHECK(steps.size() == Approx(0.9 * 16.0));
@@ -73,11 +73,51 @@ TEST_CASE("Implicit steps come when they pay, follow their error and leave for j
   steps.follow(2.0, 1e-12);  // one cut short says nothing against long ones
   CHECK(steps.size() == Approx(1.8 * 16.0));
   CHECK(steps.shorter(16.0, 1.0) == Approx(1.6));
-  CHECK(steps.accepts(0.4e-4));
-  CHECK_FALSE(steps.accepts(0.6e-4));
+  CHECK(steps.accepts(16.0, 0.4e-4));
+  CHECK_FALSE(steps.accepts(16.0, 0.6e-4));
   CHECK(steps.choose(300.0, 290.0, never));  // a jump
-  CHECK_FALSE(steps.are_implicit());
+  CHECK_FALSE(steps.are_long());
   CHECK_FALSE(steps.choose(350.0, 290.0, never));  // counts from the jump
+}
+
+TEST_CASE("Steps in stages come before implicit ones and give way where they would be many") {
+  const double never = 1e300;
+  AdaptiveSteps steps(1e-4, 0.1, 400.0);
+  steps.allow_stages(12.0);  // 2 over the limit of an explicit step, of which 0.1 is 0.6
+  CHECK_FALSE(steps.choose(1.0, 0.0, never));  // too soon
+  CHECK(steps.choose(50.0, 0.0, never));
+  CHECK(steps.kind() == SteppingKind::stages);
+  CHECK(steps.size() == Approx(0.15));  // growing from explicit ones
+  CHECK(steps.stages(4.0) == 9);
+  for (int k = 0; k < 5; ++k) {
+    steps.follow(steps.size(), -1.0);  // whose error says nothing
+  }
+  CHECK(steps.size() == Approx(0.4));
+  CHECK(steps.accepts(0.4, 1.0));  // nothing shorter is better
+  CHECK_FALSE(steps.accepts(0.8, 1.0));
+  for (int k = 0; k < 30; ++k) {
+    steps.follow(steps.size(), 0.0);
+  }
+  CHECK(steps.choose(60.0, 0.0, never));
+  CHECK(steps.kind() == SteppingKind::implicit);
+  StepsAhead ahead;
+  steps.count(60.0, 1e9, 0.0, ahead);
+  CHECK(ahead.number < 300.0);
+  CHECK(ahead.cost < 400.0 * 300.0);
+  CHECK(steps.choose(61.0, 60.5, never));  // a jump
+  CHECK_FALSE(steps.are_long());
+}
+
+TEST_CASE("What is ahead is counted") {
+  AdaptiveSteps steps(1e-4, 0.1, 400.0);
+  StepsAhead all;
+  steps.count(0.0, 100.0, 0.0, all);  // none pays: 8 at most, of 80 explicit steps
+  CHECK(all.number == Approx(1000.0).epsilon(0.02));
+  CHECK(all.cost == all.number);
+  StepsAhead longer;
+  steps.count(0.0, 1e6, 0.0, longer);
+  // Explicit until .08 t = 40 s, then by 8 % each.
+  CHECK(longer.number == Approx(5000.0 + std::log(1e6 / 500.0) / std::log(1.08)).epsilon(0.05));
 }
 
 TEST_CASE("No implicit step is longer than what changes asks for") {

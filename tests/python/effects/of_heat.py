@@ -27,7 +27,7 @@ EFFECTS: dict[str, Effect] = {
     ),
     "Heat.theta": Effect(v.theta_disk, "heat.theta", 0.5, 1.0, TEMPERATURE, "!="),
     "Heat.tolerance": Effect(
-        v.slow_disk, "heat.tolerance", 1e-2, 1e-4, number("heat/implicit_steps"), "!="
+        v.slow_disk, "heat.tolerance", 1e-2, 1e-4, number("heat/staged_steps"), "!="
     ),
     "Heat.blend": Effect(scenes.turning_disk, "heat.blend", 4.0, 40.0, TEMPERATURE, "!="),
     "Heat.normal_smoothing": Effect(D, "heat.normal_smoothing", 2, 0, supplied("heat"), "!="),

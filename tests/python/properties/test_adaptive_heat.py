@@ -1,4 +1,4 @@
-"""Heat with time_integration = "auto" on long runs that nobody tuned: implicit steps come in, keep
+"""Heat with time_integration = "auto" on long runs that nobody tuned: long steps come in, keep
 the tolerance, say how large their error is, and lose neither heat nor a jump of a table."""
 
 from __future__ import annotations
@@ -71,13 +71,18 @@ def states(scene: lp.Scene, times: Array) -> tuple[Array, list[float], lp.Simula
     return np.array(fields), errors, simulation
 
 
+def long_steps(simulation: lp.Simulation) -> float:
+    numbers = simulation.diagnostics()
+    return numbers["heat/implicit_steps"] + numbers["heat/staged_steps"]
+
+
 @pytest.mark.parametrize("seed", range(6))
-def test_long_runs_take_implicit_steps_and_stay_right(seed: int) -> None:
+def test_long_runs_take_long_steps_and_stay_right(seed: int) -> None:
     scene = drawn(seed)
     times = scene.time.end * np.array([0.02, 0.1, 0.35, 0.5, 0.503, 0.52, 0.7, 0.95, 1.0])
     found, _, simulation = states(scene, times)
     explicit, _, steps = states(scene.set("heat.time_integration=explicit"), times)
-    assert simulation.diagnostics()["heat/implicit_steps"] > 10
+    assert long_steps(simulation) > 10
     assert simulation.step_index < 0.7 * steps.step_index
     # Explicit steps take what varies in their middle and are late by that: 1.2e-4 at most.
     span = explicit.max()
@@ -104,11 +109,52 @@ def test_the_error_is_as_said(tolerance: float) -> None:
     coarse, fine = (states(scene.set(f"time.step={step / part!r}"), times)[0] for part in (2, 4))
     found, said, simulation = states(scene.set("heat.time_integration=auto"), times)
     errors = np.abs(found - (2 * fine - coarse)).max(axis=1)
-    assert simulation.diagnostics()["heat/implicit_steps"] > 5
+    assert long_steps(simulation) > 5
     # Implicit steps are off by .2 to 3 times what is said, explicit ones by less than that.
     assert errors.max() < tolerance
     assert (errors < 3 * np.array(said) + 0.02 * tolerance).all(), (errors, said)
-    assert (np.array(said[-2:]) < 5 * errors[-2:] + 0.1 * tolerance).all(), (errors, said)
+    # What is left of steps in stages and explicit ones is bounded, not followed.
+    assert (np.array(said[-2:]) < 5 * errors[-2:] + 0.25 * tolerance).all(), (errors, said)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_short_runs_under_ramps_are_not_late(seed: int) -> None:
+    """A hundred steps and less, under surroundings that vary and jump; Euler steps are off by up to
+    .03. Strong conditions take hold over a few steps, which leaves .0085."""
+    rng = np.random.default_rng(100 + seed)
+    cell = 1 / rng.uniform(8, 12)
+    end = rng.uniform(0.1, 0.4)
+    table = lp.Table([0.0, 0.6 * end, 0.6 * end, end], [0.0, rng.uniform(1, 2), 0.5, -1.0])
+    law: lp.Convection | lp.PrescribedTemperature = (
+        lp.PrescribedTemperature(value=table),
+        lp.Convection(coefficient=10 ** rng.uniform(0, 2.5), ambient=table),
+    )[seed % 2]
+    scene = lp.Scene(
+        grid=lp.Grid(lower=(-12 * cell,) * 2, upper=(13 * cell,) * 2, cell=cell),
+        bodies=[
+            lp.Body(
+                shape=lp.Disk(center=(0.3 * cell, 0.1 * cell), radius=1.0),
+                material=lp.Thermal(density=1, specific_heat=1, conductivity=1),
+            )
+        ],
+        heat=lp.Heat(boundaries=[law]),
+        time=lp.Time(end=float(end)),
+    )
+    explicit = scene.set("heat.time_integration=explicit")
+    settled = lp.Simulation(explicit)
+    settled.run_until(0.5 * end)
+    fine = explicit.set(f"time.step={settled.step_size / 40!r}")
+
+    def means(one: lp.Scene) -> Array:
+        simulation, found = lp.Simulation(one), []
+        for time in end * np.array([0.3, 0.55, 0.8, 1.0]):
+            simulation.run_until(time)
+            found.append(np.average(simulation["temperature"], weights=simulation["volume"]))
+        return np.array(found)
+
+    exact, found, late = means(fine), means(scene), means(explicit)
+    assert np.abs(found - exact).max() < 1e-2
+    assert np.abs(found - exact).max() < 0.6 * np.abs(late - exact).max()
 
 
 def test_a_given_step_and_points_that_move_stay_explicit() -> None:
@@ -163,11 +209,11 @@ def test_a_pulse_of_a_function_arrives(minutes: float, share: float) -> None:
     assert given == pytest.approx(0.101 * width, rel=0.02 + 40.0 / width)
 
 
-def test_functions_in_implicit_steps_say_what_may_be_missed(tmp_path: Path) -> None:
+def test_functions_in_long_steps_say_what_may_be_missed(tmp_path: Path) -> None:
     def still(place: Array, _temperature: Array, _time: float) -> Array:
         return np.zeros(len(place))
 
     for value, says in ((still, True), (0.0, False)):
         result = lp.run(cooling_block(value), tmp_path / f"{says}.vtkhdf", progress=False)
-        assert result.history["heat/implicit_steps"][-1] > 0
+        assert result.history["heat/staged_steps"][-1] > 0
         assert any("may miss what functions do" in note for note in result.warnings) is says

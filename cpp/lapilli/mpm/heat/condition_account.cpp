@@ -22,6 +22,13 @@ void ConditionAccount::book(std::span<const double> heat, double total) {
   }
 }
 
+void ConditionAccount::extrapolate(const ConditionAccount& coarse) {
+  for (std::size_t k = 0; k < sums_.size(); ++k) {
+    const Sum& other = coarse.sums_[k];
+    book(k, (sums_[k].sum - other.sum) + (sums_[k].dropped - other.dropped));
+  }
+}
+
 std::vector<Balance::Entry> ConditionAccount::entries(
     std::span<const HeatBoundary> conditions) const {
   std::vector<Balance::Entry> all;

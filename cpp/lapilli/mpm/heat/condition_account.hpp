@@ -21,6 +21,9 @@ class ConditionAccount {
   /// and solvers leave.
   void book(std::span<const double> heat, double total);
 
+  /// Go on as far again beyond `coarse`, both from one start: Richardson's extrapolation.
+  void extrapolate(const ConditionAccount& coarse);
+
   std::vector<Balance::Entry> entries(std::span<const HeatBoundary> conditions) const;
   void save(Archive& archive, const std::string& name) const;
   void load(const Archive& archive, const std::string& name);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "lapilli/mpm/heat/drawn_gaps.hpp"
 #include "lapilli/mpm/surface/divide_pieces.hpp"
 
 namespace lapilli {
@@ -65,10 +66,14 @@ CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> sh
             found.slanted += part.normal.cwiseAbs().maxCoeff() < along_axis ? part.area() : 0.0;
           }
         }
-        found.area += law >= Division::nobody ? part.area() : 0.0;
+        if (law >= Division::nobody) {
+          found.area += part.area();
+          enter_facing<Dim>(part, shapes, body, problem.grid.cell_size(), found);
+        }
       });
     }
   }
+  enter_touching(division.touching(), found);
   std::copy_if(division.touching().begin(), division.touching().end(),
                std::back_inserter(made.touching),
                [&](std::size_t other) { return resisting.of(body, other) < 0; });

@@ -98,7 +98,7 @@ void CutCellHeat<Dim>::bound_step(const std::vector<double>& rates) {
 template <int Dim>
 StepLimit CutCellHeat<Dim>::step_limit() const {
   StepLimit limit = limit_;
-  if (adaptive_.are_implicit()) {
+  if (adaptive_.are_long()) {
     limit.hard = std::numeric_limits<double>::infinity();
     limit.automatic = adaptive_.size();
     limit.stop = next_entry(time_);
@@ -141,13 +141,13 @@ bool CutCellHeat<Dim>::is_linear(const Solved& one) const {
 template <int Dim>
 StepReport CutCellHeat<Dim>::advance(const Step& step) {
   StepReport report{step.size, 0, 0.0};
-  if (adaptive_.are_implicit()) {
+  if (adaptive_.are_long()) {
     report = advance_adaptively(step);
     finish_step(step);
     return report;
   }
   if (!is_implicit()) {
-    take_explicit_step(step);
+    step_explicitly(step);
     finish_step(step);
     return report;
   }
@@ -167,9 +167,6 @@ void CutCellHeat<Dim>::take_explicit_step(const Step& step) {
     conduct(one, step);
     release_sources(one, step);
     exchange_with_surroundings(one, step);
-    if (is_adaptive()) {
-      watch_curvature(one, step);
-    }
     finish(one);
   }
   self_heating_.require_followed(step.size);
@@ -249,9 +246,10 @@ void CutCellHeat<Dim>::finish(Solved& one) const {
 }
 
 template <int Dim>
-void CutCellHeat<Dim>::keep_in_range(Solved& one) const {
-  one.range.restore(one.part, range_, one.part.temperature);
+bool CutCellHeat<Dim>::keep_in_range(Solved& one) const {
+  const bool strayed = one.range.restore(one.part, range_, one.part.temperature);
   one.part.followers.prolong(one.part.temperature);
+  return strayed;
 }
 
 template class CutCellHeat<1>;

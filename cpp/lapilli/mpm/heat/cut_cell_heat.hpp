@@ -26,7 +26,8 @@ template <int Dim>
 class CutCellHeat final : public Physics,
                           public HasSurface,
                           public Warnings,
-                          public FollowsChanges {
+                          public FollowsChanges,
+                          public TellsStepsAhead {
  public:
   CutCellHeat(Points& points, HeatProblem<Dim> problem);
 
@@ -35,6 +36,7 @@ class CutCellHeat final : public Physics,
 
   std::string name() const override { return "heat"; }
   void follow_changes(double end, double longest) override;
+  StepsAhead steps_ahead() const override;
   StepLimit step_limit() const override;
   StepReport advance(const Step& step) override;
   void refresh_output() override;
@@ -57,6 +59,13 @@ class CutCellHeat final : public Physics,
     SurfaceTerm::Vector rate;        // W, at the start of the first of them; empty afterwards
   };
 
+  /// What everything gives a part at one time.
+  struct HeatRates {
+    std::vector<double> rise;    // K/s, by place, of followers too
+    std::vector<double> by_law;  // W
+    double by_sources = 0.0;     // W
+  };
+
   /// A part with what its steps need.
   struct Solved {
     HeatPart<Dim> part;
@@ -66,8 +75,11 @@ class CutCellHeat final : public Physics,
     std::unique_ptr<System> all;        // every law on every node, for implicit steps
     std::vector<double> inverse;        // 1/C', one for followers
     std::vector<double> increment;      // K
+    SurfaceSolver solver_of_whole;      // near the surface, of steps that are halved as well
     NodalRange<Dim> range;
     std::vector<double> earlier;  // K/s, of the step before; kept now and then by adaptive steps
+    HeatRates rates;              // at the start of the next step in stages; empty: not known
+    std::vector<double> error;    // K, estimated, by place, while steps are taken in stages
   };
 
   void bound_step(const std::vector<double>& rates);
@@ -79,6 +91,10 @@ class CutCellHeat final : public Physics,
     return problem_.settings.time_integration == TimeIntegration::automatic;
   }
 
+  /// One Euler step; while these are long beside the time since something began or bent, one and
+  /// two halves, extrapolated (Richardson 1911).
+  void step_explicitly(const Step& step);
+  double time_since_entry(double time) const;  // of a table; since the start where none has one, s
   void take_explicit_step(const Step& step);
   // Its phases, part by part.
   void conduct(Solved& one, const Step& step);
@@ -92,14 +108,15 @@ class CutCellHeat final : public Physics,
   bool bears_explicitly(const Solved& one, double step) const;
   void finish(Solved& one) const;
   void finish_step(const Step& step);
-  void keep_in_range(Solved& one) const;
+  /// Returns whether a node had left it.
+  bool keep_in_range(Solved& one) const;
 
   void number_all_leaders(Solved& one) const;
   void prepare(const Solved& one, System& system, double scale) const;
   StepReport advance_implicitly(Solved& one, const Step& step);
   void take_implicit_step(Solved& one, double begin, double size, double weight,
                           StepReport& report);
-  // Adaptive steps: TR-BDF2, or explicit ones.
+  // Adaptive steps: explicit ones, some in stages, or TR-BDF2.
   struct Stage;
   struct Attempt;
   void begin_adaptive_steps();
@@ -107,15 +124,24 @@ class CutCellHeat final : public Physics,
   double step_of_functions();
   void choose_steps(const Step& last);
   double next_entry(double time) const;
-  /// Keep the rates of change of one step, or compare them with those of the step before.
-  void watch_curvature(Solved& one, const Step& step);
-  /// `last`: size of the last explicit step, s.
-  void begin_implicit_steps(double last);
-  void end_implicit_steps();
+  double last_jump() const;  // of a table up to now, s
+  /// Keep the rates of change of one step, or compare them with those of the step before. `left`:
+  /// share of its error that a step has not got rid of.
+  void watch_curvature(Solved& one, const Step& step, double left);
+  /// Go from the kind of steps so far to that chosen. `last`: size of the last step, s.
+  void change_steps(SteppingKind before, double last);
+  void begin_implicit_steps(SteppingKind before, double last);
+  void begin_stages();
+  void end_long_steps();
   StepReport advance_adaptively(const Step& step);
   /// Explicit steps over [begin, begin + size], where implicit ones are refused.
   void cover_explicitly(const Step& step, double begin, double size);
   bool try_all(double begin, double size, std::vector<Attempt>& attempts, double& error);
+  /// Their fastest rate, 1/s; 0 where stages do not suit.
+  double rate_of_stages() const;
+  HeatRates find_rates(Solved& one, std::span<const double> temperature, double time);
+  bool try_stages(Solved& one, double begin, double size, Attempt& attempt);
+  void commit_stages(double size, std::vector<Attempt>& attempts);
   bool try_implicitly(Solved& one, double begin, double size, Attempt& attempt);
   bool solve_stage(Solved& one, const Stage& stage, SurfaceTerm::Vector& trial, int& iterations);
   SurfaceTerm::Vector rates(Solved& one, const SurfaceTerm::Vector& at, double from, double to,
@@ -154,8 +180,12 @@ class CutCellHeat final : public Physics,
   double end_ = std::numeric_limits<double>::infinity();  // s, of the run, where known
   double lowest_ = 0.0, highest_ = 0.0;  // K, of all temperatures so far, for adaptive steps
   double explicit_error_ = 0.0;          // K, estimated
-  Index implicit_steps_ = 0;
+  Index implicit_steps_ = 0, staged_steps_ = 0;
   double factor_size_ = 0.0;  // s, of the implicit step that the factor belongs to
+  double bend_ = 0.0;         // K/s^2, largest change of rates over the last step in stages
+  // Steps in stages that only calm what is left of the explicit ones, which take the surface a
+  // little differently.
+  Index calming_ = 0;
 
   TemperatureRange range_;  // that conduction and exchange can reach
   std::unique_ptr<PointArray> output_temperature_, output_flux_;  // made when first looked at

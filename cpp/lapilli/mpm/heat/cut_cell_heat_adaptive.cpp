@@ -4,6 +4,7 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
+#include "lapilli/mpm/heat/cut_cell_heat_attempt.hpp"
 #include "lapilli/mpm/heat/part_sources.hpp"
 
 namespace lapilli {
@@ -29,18 +30,6 @@ struct CutCellHeat<Dim>::Stage {
   double from, to;         // s, when laws are taken
   double weight;           // s
   bool linear;
-};
-
-/// One step of one part that has been computed and not yet taken.
-template <int Dim>
-struct CutCellHeat<Dim>::Attempt {
-  Vector end;                   // K
-  Vector error;                 // K, of all steps so far
-  double local = 0.0;           // K, of this step
-  std::vector<double> of_laws;  // J
-  double given = 0.0;           // J, by all laws
-  double of_sources = 0.0;      // J
-  int iterations = 0;
 };
 
 template <int Dim>
@@ -160,29 +149,33 @@ bool CutCellHeat<Dim>::try_all(double begin, double size, std::vector<Attempt>& 
   attempts.assign(solved_.size(), {});
   error = 0.0;
   for (std::size_t k = 0; k < solved_.size(); ++k) {
-    if (!try_implicitly(solved_[k], begin, size, attempts[k])) {
+    const bool taken = adaptive_.kind() == SteppingKind::stages
+                           ? try_stages(solved_[k], begin, size, attempts[k])
+                           : try_implicitly(solved_[k], begin, size, attempts[k]);
+    if (!taken) {
       error = std::numeric_limits<double>::infinity();
       return false;
     }
     error = std::max(error, attempts[k].local / span);
   }
-  return adaptive_.accepts(error);
+  return adaptive_.accepts(size, error) ||
+         (adaptive_.kind() == SteppingKind::stages && calming_ > 0);
 }
 
 template <int Dim>
 void CutCellHeat<Dim>::cover_explicitly(const Step& step, double begin, double size) {
+  explicit_error_ = largest_error();
   find_self_heating(begin);
   const double end = begin + size;
   for (double done = 0.0; done < size;) {
     StepLimit limit = limit_;
     self_heating_.bound(limit);
     const double left = size - done, count = std::ceil(left / limit.automatic);
-    take_explicit_step({begin + done, left / count, 0, step.output_due});
+    step_explicitly({begin + done, left / count, 0, step.output_due});
     done = count > 1.0 ? done + left / count : size;
   }
-  explicit_error_ = largest_error();
   adaptive_.give_up(end);
-  end_implicit_steps();
+  end_long_steps();
 }
 
 template <int Dim>
@@ -194,10 +187,11 @@ StepReport CutCellHeat<Dim>::advance_adaptively(const Step& step) {
     const double left = step.size - done;
     const bool is_last = left < size * (1.0 + 1e-6);
     size = is_last ? left : size;
-    if (std::abs(size - factor_size_) <= 1e-9 * size) {
+    const bool in_stages = adaptive_.kind() == SteppingKind::stages;
+    if (!in_stages && std::abs(size - factor_size_) <= 1e-9 * size) {
       size = factor_size_;  // but for rounding the same: the factor serves again
     }
-    factor_size_ = size;
+    factor_size_ = in_stages ? factor_size_ : size;
     if (!try_all(step.time + done, size, attempts, error)) {
       size = adaptive_.shorter(size, error);
       if (!adaptive_.is_worth(size)) {
@@ -206,13 +200,17 @@ StepReport CutCellHeat<Dim>::advance_adaptively(const Step& step) {
       }
       continue;
     }
-    for (std::size_t k = 0; k < solved_.size(); ++k) {
+    if (in_stages) {
+      commit_stages(size, attempts);
+    }
+    for (std::size_t k = 0; k < solved_.size() && !in_stages; ++k) {
       commit(solved_[k], attempts[k]);
       report.iterations = std::max(report.iterations, attempts[k].iterations);
     }
     widen_span();
-    ++implicit_steps_;
-    adaptive_.follow(size, error);
+    ++(in_stages ? staged_steps_ : implicit_steps_);
+    adaptive_.follow(size, calming_ > 0 ? -1.0 : error);
+    calming_ = std::max<Index>(0, calming_ - 1);
     done = is_last ? step.size : done + size;
   }
   return report;

@@ -5,6 +5,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/bridged_gaps.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
+#include "lapilli/mpm/heat/drawn_gaps.hpp"
 #include "lapilli/mpm/heat/functions_in_time.hpp"
 #include "lapilli/mpm/heat/heat_balance.hpp"
 #include "lapilli/mpm/heat/slanted_interfaces.hpp"
@@ -95,6 +96,7 @@ std::vector<std::pair<std::string, double>> CutCellHeat<Dim>::diagnostics() cons
   if (is_adaptive()) {
     all.emplace_back("time_error", largest_error() / temperature_span());
     all.emplace_back("implicit_steps", static_cast<double>(implicit_steps_));
+    all.emplace_back("staged_steps", static_cast<double>(staged_steps_));
   }
   return all;
 }
@@ -115,14 +117,16 @@ template <int Dim>
 std::vector<std::string> CutCellHeat<Dim>::warnings() const {
   std::vector<std::string> all =
       slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
+  std::ranges::copy(drawn_gaps(found_, problem_.bodies, problem_.grid.cell_size(), Dim),
+                    std::back_inserter(all));
   for (const Solved& one : solved_) {
     std::ranges::copy(bridged_gaps(problem_, one.part), std::back_inserter(all));
   }
   if (!is_adaptive()) {
     return all;
   }
-  if (implicit_steps_ > 0 && has_functions(problem_) && std::isfinite(end_)) {
-    all.push_back(message("implicit steps of heat may miss what functions do for less than ",
+  if (implicit_steps_ + staged_steps_ > 0 && has_functions(problem_) && std::isfinite(end_)) {
+    all.push_back(message("long steps of heat may miss what functions do for less than ",
                           FunctionsInTime(end_).spacing(),
                           " s; tables are exact, and steps of heat.time_integration = \"explicit\" "
                           "are shorter"));
@@ -143,6 +147,7 @@ void CutCellHeat<Dim>::save(Archive& archive) const {
     archive.write(message("heat/temperature ", k), solved_[k].part.temperature);
     if (!is_implicit()) {
       solved_[k].near.solver.save(archive, message("heat/solver ", k));
+      solved_[k].solver_of_whole.save(archive, message("heat/solver of whole ", k));
     }
     if (const auto& all = solved_[k].all) {
       all->solver.save(archive, message("heat/solver of all ", k));
@@ -167,6 +172,7 @@ void CutCellHeat<Dim>::load(const Archive& archive) {
     archive.read(message("heat/temperature ", k), std::span<double>(solved_[k].part.temperature));
     if (!is_implicit()) {
       solved_[k].near.solver.load(archive, message("heat/solver ", k));
+      solved_[k].solver_of_whole.load(archive, message("heat/solver of whole ", k));
     }
     if (const auto& all = solved_[k].all) {
       all->solver.load(archive, message("heat/solver of all ", k));

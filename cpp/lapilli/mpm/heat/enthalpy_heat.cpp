@@ -78,6 +78,15 @@ void EnthalpyHeat<Dim>::bound_step() {
 }
 
 template <int Dim>
+StepsAhead EnthalpyHeat<Dim>::steps_ahead() const {
+  StepsAhead all;
+  StepLimit limit = limit_;
+  self_heating_.bound(limit);
+  all.settled = limit.automatic;
+  return all;
+}
+
+template <int Dim>
 StepLimit EnthalpyHeat<Dim>::step_limit() const {
   StepLimit limit = limit_;
   limit.automatic = laws_.step_since_jump(time_, limit.automatic);

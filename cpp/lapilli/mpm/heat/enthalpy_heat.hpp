@@ -8,6 +8,7 @@
 #include "lapilli/mpm/heat/nodal_enthalpy.hpp"
 #include "lapilli/mpm/heat/nodal_range.hpp"
 #include "lapilli/mpm/heat/point_fields.hpp"
+#include "lapilli/mpm/heat/steps_ahead.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
 #include "lapilli/mpm/surface/surface_view.hpp"
 
@@ -19,12 +20,16 @@ namespace lapilli {
 /// surface is taken implicitly by Newton's method in H, all of it explicit in the conduction:
 ///   H + dt M (T(H) - T) = H0 + dt (-sum of K_b phi_b(T) + sources + E(T)).
 template <int Dim>
-class EnthalpyHeat final : public Physics, public HasSurface, public Warnings {
+class EnthalpyHeat final : public Physics,
+                           public HasSurface,
+                           public Warnings,
+                           public TellsStepsAhead {
  public:
   EnthalpyHeat(Points& points, HeatProblem<Dim> problem);
 
   std::string name() const override { return "heat"; }
   StepLimit step_limit() const override;
+  StepsAhead steps_ahead() const override;
   StepReport advance(const Step& step) override;
   void refresh_output() override;
   std::vector<Field> fields() override;

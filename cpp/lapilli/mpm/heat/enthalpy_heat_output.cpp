@@ -4,6 +4,7 @@
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/bridged_gaps.hpp"
+#include "lapilli/mpm/heat/drawn_gaps.hpp"
 #include "lapilli/mpm/heat/enthalpy_heat.hpp"
 #include "lapilli/mpm/heat/slanted_interfaces.hpp"
 #include "lapilli/mpm/surface/cut_shape.hpp"
@@ -155,6 +156,8 @@ template <int Dim>
 std::vector<std::string> EnthalpyHeat<Dim>::warnings() const {
   std::vector<std::string> all =
       slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
+  std::ranges::copy(drawn_gaps(found_, problem_.bodies, problem_.grid.cell_size(), Dim),
+                    std::back_inserter(all));
   for (const Solved& one : solved_) {
     std::ranges::copy(bridged_gaps(problem_, one.part), std::back_inserter(all));
   }

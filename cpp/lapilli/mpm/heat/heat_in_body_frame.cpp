@@ -78,6 +78,12 @@ void HeatInBodyFrame<Dim>::follow_changes(double end, double longest) {
 }
 
 template <int Dim>
+StepsAhead HeatInBodyFrame<Dim>::steps_ahead() const {
+  const auto* teller = dynamic_cast<const TellsStepsAhead*>(at_rest_.get());
+  return teller != nullptr ? teller->steps_ahead() : StepsAhead{};
+}
+
+template <int Dim>
 StepReport HeatInBodyFrame<Dim>::advance(const Step& step) {
   const StepReport report = at_rest_->advance(step);
   time_ = step.time + report.accepted;

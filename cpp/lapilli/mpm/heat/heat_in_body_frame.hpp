@@ -6,6 +6,7 @@
 #include "lapilli/geometry/rigid_motion.hpp"
 #include "lapilli/mpm/heat/follows_changes.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
+#include "lapilli/mpm/heat/steps_ahead.hpp"
 #include "lapilli/mpm/surface/surface_view.hpp"
 
 namespace lapilli {
@@ -23,7 +24,8 @@ template <int Dim>
 class HeatInBodyFrame final : public Physics,
                               public HasSurface,
                               public Warnings,
-                              public FollowsChanges {
+                              public FollowsChanges,
+                              public TellsStepsAhead {
  public:
   /// Whether a problem is of this kind.
   static bool suits(const HeatProblem<Dim>& problem);
@@ -35,6 +37,7 @@ class HeatInBodyFrame final : public Physics,
   bool depends_on_place() const { return depends_on_place_; }
 
   void follow_changes(double end, double longest) override;
+  StepsAhead steps_ahead() const override;
   StepLimit step_limit() const override { return at_rest_->step_limit(); }
   StepReport advance(const Step& step) override;
   void refresh_output() override;

@@ -10,6 +10,7 @@
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/cell_operators.hpp"
 #include "lapilli/mpm/heat/cut_bodies.hpp"
+#include "lapilli/mpm/heat/drawn_gaps.hpp"
 #include "lapilli/mpm/heat/part_surface.hpp"
 #include "lapilli/mpm/heat/shared_cells.hpp"
 #include "lapilli/mpm/surface/shape_areas.hpp"
@@ -294,6 +295,7 @@ template <int Dim>
 std::vector<ResistingContact> contacts_of(const HeatProblem<Dim>& problem,
                                           const PairEntries& resisting,
                                           const std::vector<CutBody<Dim>>& cut,
+                                          std::span<const SurfaceFound> surfaces,
                                           const std::vector<std::vector<std::size_t>>& groups) {
   std::vector<ResistingContact> found;
   for (std::size_t a = 0; a < cut.size(); ++a) {
@@ -312,10 +314,12 @@ std::vector<ResistingContact> contacts_of(const HeatProblem<Dim>& problem,
   }
   for (std::size_t entry = 0; entry < problem.settings.contacts.size(); ++entry) {
     const auto& bodies = problem.settings.contacts[entry].bodies;
-    require(std::any_of(found.begin(), found.end(),
-                        [&](const ResistingContact& one) { return one.entry == entry; }),
-            "heat.contacts.", entry, ": ",
-            bodies.empty() ? "no bodies touch" : bodies[0] + " and " + bodies[1] + " do not touch");
+    if (std::ranges::any_of(found, [&](const auto& one) { return one.entry == entry; })) {
+      continue;
+    }
+    require(!bodies.empty(), "heat.contacts.", entry, ": no bodies touch");
+    require(false, "heat.contacts.", entry, ": ", bodies[0], " and ", bodies[1], " do not touch",
+            gap_between(bodies, surfaces, problem.bodies, problem.grid.cell_size()));
   }
   return found;
 }
@@ -348,7 +352,7 @@ std::vector<HeatPart<Dim>> make_parts(const Points& points, const HeatProblem<Di
                     }));
   }
   const std::vector<std::vector<std::size_t>> groups = groups_of(touching);
-  std::vector<ResistingContact> touch = contacts_of<Dim>(problem, resisting, cut, groups);
+  std::vector<ResistingContact> touch = contacts_of<Dim>(problem, resisting, cut, found, groups);
   std::vector<HeatPart<Dim>> parts;
   with_shape(problem.shape, resting_half_width, [&](auto function) {
     for (const auto& bodies : groups) {

@@ -49,11 +49,21 @@ struct HeatPart {
 
 /// What the assembly found, for the record.
 struct SurfaceFound {
+  /// Another body that touches this one or lies hardly apart.
+  struct NearBody {
+    std::size_t other;
+    bool touches = false;
+    double width = 0.0;          // m, of the widest gap that is hardly one
+    double flat = 0.0;           // m^(dim-1), of flat surface before such gaps
+    Vec3 middle = Vec3::Zero();  // m, where it is widest
+  };
+
   double area = 0.0;    // m^(dim-1), of all free surface of a body
   double volume = 0.0;  // m^dim
   Index followers = 0, nodes = 0;
   double better = 1.0;   // times that a body it touches conducts better, at most
   double slanted = 0.0;  // m^(dim-1), where it touches such bodies at an angle to the grid
+  std::vector<NearBody> near;
 };
 
 /// Two bodies that touch with a resistance.

@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lapilli/mpm/heat/cut_cell_heat.hpp"
+
+namespace lapilli {
+namespace {
+
+/// The last entry of a table up to a time; the start where it has none.
+double last_entry(const Value& value, double time) {
+  const auto* table = std::get_if<Table>(&value.form());
+  if (table == nullptr) {
+    return 0.0;
+  }
+  const auto later = std::upper_bound(table->times.begin(), table->times.end(), time);
+  return later == table->times.begin() ? 0.0 : std::max(0.0, *std::prev(later));
+}
+
+}  // namespace
+
+template <int Dim>
+double CutCellHeat<Dim>::time_since_entry(double time) const {
+  double last = 0.0;
+  const auto look = [&](const Value& value) {
+    last = std::max(last, last_entry(value, time * (1.0 + 1e-12)));
+  };
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    for (const Value* value : values_of(laws_[law])) {
+      look(*value);
+    }
+  }
+  for (const HeatBody& body : problem_.bodies) {
+    look(body.source);
+  }
+  return time - last;
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::step_explicitly(const Step& step) {
+  // One step is late by half of itself: extrapolated where that is more than half a percent of
+  // what has happened since a table had an entry.
+  constexpr double short_enough = 0.01;
+  const double since = time_since_entry(step.time) + step.size;
+  if (!is_adaptive() || step.size < short_enough * since) {
+    take_explicit_step(step);
+    for (Solved& one : solved_) {
+      watch_curvature(one, step, 1.0);
+    }
+    return;
+  }
+  const auto temperatures = [&]() {
+    std::vector<std::vector<double>> all;
+    for (const Solved& one : solved_) {
+      all.push_back(one.part.temperature);
+    }
+    return all;
+  };
+  const auto swap_solvers = [&]() {  // whose factors belong to steps of one size
+    for (Solved& one : solved_) {
+      std::swap(one.near.solver, one.solver_of_whole);
+    }
+  };
+  const std::vector<std::vector<double>> start = temperatures();
+  const ConditionAccount account = laws_.account();
+  const double source = source_;
+  swap_solvers();
+  take_explicit_step(step);
+  swap_solvers();
+  const std::vector<std::vector<double>> once = temperatures();
+  const ConditionAccount account_of_one = laws_.account();
+  const double source_of_one = source_;
+  for (std::size_t k = 0; k < solved_.size(); ++k) {
+    solved_[k].part.temperature = start[k];
+  }
+  laws_.account() = account;
+  source_ = source;
+  Step half = step;
+  half.size = 0.5 * step.size;
+  take_explicit_step(half);
+  half.time += half.size;
+  take_explicit_step(half);
+  laws_.account().extrapolate(account_of_one);
+  source_ += source_ - source_of_one;
+  for (std::size_t k = 0; k < solved_.size(); ++k) {
+    Solved& one = solved_[k];
+    std::vector<double>& now = one.part.temperature;
+    for (std::size_t place = 0; place < now.size(); ++place) {
+      now[place] += now[place] - once[k][place];
+    }
+    keep_in_range(one);
+    for (std::size_t place = 0; place < now.size(); ++place) {
+      one.increment[place] = now[place] - start[k][place];
+    }
+    watch_curvature(one, step, std::min(1.0, step.size / since));
+  }
+}
+
+#define LAPILLI_INSTANTIATE(Dim)                                    \
+  template double CutCellHeat<Dim>::time_since_entry(double) const; \
+  template void CutCellHeat<Dim>::step_explicitly(const Step&);
+LAPILLI_INSTANTIATE(1)
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
+
+}  // namespace lapilli
