@@ -95,7 +95,7 @@ TEST_CASE("Steps in stages come before implicit ones and give way where they wou
   CHECK(steps.size() == Approx(0.4));
   CHECK(steps.accepts(0.4, 1.0));  // nothing shorter is better
   CHECK_FALSE(steps.accepts(0.8, 1.0));
-  for (int k = 0; k < 15; ++k) {
+  for (int k = 0; k < 30; ++k) {
     steps.follow(steps.size(), 0.0);
   }
   CHECK(steps.choose(60.0, 0.0, never));

@@ -72,7 +72,7 @@ double AdaptiveSteps::first_size(double time, double since) const {
 }
 
 bool AdaptiveSteps::is_worth(double size) const {
-  return cost_of(kind_, size) <= 2.0 * size / explicit_step_;
+  return cost_of(kind_, size) <= 2.5 * size / explicit_step_;
 }
 
 bool AdaptiveSteps::choose(double time, double last_jump, double next_entry) {
@@ -100,7 +100,10 @@ bool AdaptiveSteps::choose(double time, double last_jump, double next_entry) {
     return false;
   }
   kind_ = best;
-  size_ = best == SteppingKind::stages ? std::min(size, growth * explicit_step_) : size;
+  size_ = size;
+  if (const double slowly = growth * explicit_step_; is_worth(slowly)) {
+    size_ = std::min(size, slowly);
+  }
   return true;
 }
 
