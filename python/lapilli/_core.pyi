@@ -8,7 +8,7 @@ import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['Annulus', 'Balance', 'Body', 'BodyContact', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'DruckerPrager', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'FunctionSolid', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeatContact', 'HeightField', 'Image', 'Intersection', 'Mesh', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'Stage', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'TabulatedMohrCoulomb', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'VonMises', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_identity', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify', 'version_text']
+__all__: list[str] = ['Annulus', 'Balance', 'Body', 'BodyContact', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'DruckerPrager', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'FunctionSolid', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeatContact', 'HeightField', 'Image', 'Intersection', 'Mesh', 'ModifiedCamClay', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'Stage', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'TabulatedMohrCoulomb', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'VonMises', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_identity', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify', 'version_text']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -1453,6 +1453,89 @@ class TabulatedMohrCoulomb:
         """
     @tension_cutoff.setter
     def tension_cutoff(self, value: float) -> None:
+        ...
+    @property
+    def youngs_modulus(self) -> float:
+        """
+        stiffness in tension, Pa
+        """
+    @youngs_modulus.setter
+    def youngs_modulus(self, value: float) -> None:
+        ...
+class ModifiedCamClay:
+    """
+    Clay that hardens with compaction and softens with dilation, up to a critical state.
+    
+    Parameters
+    ----------
+    density : float, kg/m^3, required
+        mass per undeformed volume; above 0 (kg/m^3)
+    youngs_modulus : float, Pa, required
+        stiffness in tension; above 0 (Pa)
+    poissons_ratio : float, default 0.0
+        lateral contraction, in (-1, 0.5); above -1 and at most 0.5
+    critical_state_slope : float, required
+        M of q = M p at the critical state; 6 sin(phi) / (3 - sin(phi)) in triaxial compression; above 0
+    plastic_compressibility : float, required
+        plastic volume strain for a rise of the preconsolidation pressure by a factor e: (lambda - kappa) / (1 + void ratio); above 0
+    preconsolidation_pressure : float, Pa, required
+        pressure at which it yields at the start without shear; above 0 (Pa)
+    """
+    __hash__: typing.ClassVar[None]  # type: ignore[assignment]
+    __signature__: typing.ClassVar[inspect.Signature]
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+    def __getstate__(self) -> dict[str, typing.Any]:
+        ...
+    def __init__(self, *, density: float, youngs_modulus: float, poissons_ratio: float = ..., critical_state_slope: float, plastic_compressibility: float, preconsolidation_pressure: float) -> None:
+        ...
+    def __reduce__(self) -> typing.Any:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setattr__(self, name: str, value: typing.Any) -> None:
+        ...
+    def __setstate__(self, members: dict[str, typing.Any]) -> None:
+        ...
+    @property
+    def critical_state_slope(self) -> float:
+        """
+        M of q = M p at the critical state; 6 sin(phi) / (3 - sin(phi)) in triaxial compression
+        """
+    @critical_state_slope.setter
+    def critical_state_slope(self, value: float) -> None:
+        ...
+    @property
+    def density(self) -> float:
+        """
+        mass per undeformed volume, kg/m^3
+        """
+    @density.setter
+    def density(self, value: float) -> None:
+        ...
+    @property
+    def plastic_compressibility(self) -> float:
+        """
+        plastic volume strain for a rise of the preconsolidation pressure by a factor e: (lambda - kappa) / (1 + void ratio)
+        """
+    @plastic_compressibility.setter
+    def plastic_compressibility(self, value: float) -> None:
+        ...
+    @property
+    def poissons_ratio(self) -> float:
+        """
+        lateral contraction, in (-1, 0.5)
+        """
+    @poissons_ratio.setter
+    def poissons_ratio(self, value: float) -> None:
+        ...
+    @property
+    def preconsolidation_pressure(self) -> float:
+        """
+        pressure at which it yields at the start without shear, Pa
+        """
+    @preconsolidation_pressure.setter
+    def preconsolidation_pressure(self, value: float) -> None:
         ...
     @property
     def youngs_modulus(self) -> float:
@@ -3399,7 +3482,7 @@ class Body:
         direction that stays, in three dimensions
     translation : collections.abc.Sequence[float], m, default ()
         displacement after the turn
-    material : list[Thermal | Newtonian | ThermalExpansion | PlasticHeating | Elastic | MohrCoulomb | DruckerPrager | VonMises | TabulatedMohrCoulomb | FunctionSolid], required
+    material : list[Thermal | Newtonian | ThermalExpansion | PlasticHeating | Elastic | MohrCoulomb | DruckerPrager | VonMises | TabulatedMohrCoulomb | ModifiedCamClay | FunctionSolid], required
         what it is made of: one material, or one for each physics
     temperature : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], K, default 0.0
         temperature at the start
@@ -3422,7 +3505,7 @@ class Body:
         ...
     def __getstate__(self) -> dict[str, typing.Any]:
         ...
-    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., fill: typing.Literal['exact', 'lattice'] | None | str = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Newtonian | ThermalExpansion | PlasticHeating | Elastic | MohrCoulomb | DruckerPrager | VonMises | TabulatedMohrCoulomb | FunctionSolid], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., spin: collections.abc.Sequence[float] = ..., spin_center: collections.abc.Sequence[float] = ..., geostatic: Geostatic | None = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
+    def __init__(self, *, name: str = ..., shape: Shape | None = ..., points_file: str = ..., points: Points | None = ..., points_per_cell: int | None | str = ..., fill: typing.Literal['exact', 'lattice'] | None | str = ..., jitter: float = ..., random: bool = ..., seed: int = ..., rotation: float = ..., rotation_center: collections.abc.Sequence[float] = ..., rotation_axis: collections.abc.Sequence[float] = ..., translation: collections.abc.Sequence[float] = ..., material: list[Thermal | Newtonian | ThermalExpansion | PlasticHeating | Elastic | MohrCoulomb | DruckerPrager | VonMises | TabulatedMohrCoulomb | ModifiedCamClay | FunctionSolid], temperature: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., source: float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any] = ..., velocity: collections.abc.Sequence[float] = ..., spin: collections.abc.Sequence[float] = ..., spin_center: collections.abc.Sequence[float] = ..., geostatic: Geostatic | None = ..., motion: Rotation | Translation | Swirl | None = ...) -> None:
         ...
     def __reduce__(self) -> typing.Any:
         ...
@@ -3457,12 +3540,12 @@ class Body:
     def jitter(self, value: float) -> None:
         ...
     @property
-    def material(self) -> list[Thermal | Newtonian | ThermalExpansion | PlasticHeating | Elastic | MohrCoulomb | DruckerPrager | VonMises | TabulatedMohrCoulomb | FunctionSolid]:
+    def material(self) -> list[Thermal | Newtonian | ThermalExpansion | PlasticHeating | Elastic | MohrCoulomb | DruckerPrager | VonMises | TabulatedMohrCoulomb | ModifiedCamClay | FunctionSolid]:
         """
         what it is made of: one material, or one for each physics
         """
     @material.setter
-    def material(self, value: list[Thermal | Newtonian | ThermalExpansion | PlasticHeating | Elastic | MohrCoulomb | DruckerPrager | VonMises | TabulatedMohrCoulomb | FunctionSolid]) -> None:
+    def material(self, value: list[Thermal | Newtonian | ThermalExpansion | PlasticHeating | Elastic | MohrCoulomb | DruckerPrager | VonMises | TabulatedMohrCoulomb | ModifiedCamClay | FunctionSolid]) -> None:
         ...
     @property
     def motion(self) -> Rotation | Translation | Swirl | None:
@@ -4526,7 +4609,7 @@ class Scene:
         ...
     def save(self, path: str | os.PathLike[str]) -> None:
         """
-        Write the scene as TOML. Functions and arrays, which no file holds, are a ValueError.
+        Write the scene as TOML. Functions and arrays, which no file holds, are a ValueError; what cannot be written is an OutputError.
         """
     def set(self, path: str, value: typing.Any = ...) -> Scene:
         """

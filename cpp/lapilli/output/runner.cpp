@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/core/seconds_since.hpp"
 #include "lapilli/core/step_refused.hpp"
 #include "lapilli/core/step_stop.hpp"
 #include "lapilli/core/whole_steps.hpp"
@@ -15,10 +16,6 @@ namespace lapilli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// Tells the caller how far the run is, at most ten times a second.
 class ProgressReport {

@@ -9,6 +9,7 @@
 #include "lapilli/core/memory.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/says_model.hpp"
+#include "lapilli/core/seconds_since.hpp"
 #include "lapilli/core/warnings.hpp"
 #include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/body_points.hpp"
@@ -31,10 +32,6 @@ using Clock = std::chrono::steady_clock;
 
 // What is looked at by building it; beyond, by its bounds.
 constexpr double most_points = 2e6, most_memory = 2e9;  // bytes
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 void describe_grid(const Scene& scene, CheckReport& report) {
   report.dimension = dimension_of(scene);

@@ -5,16 +5,13 @@
 #include <cmath>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/core/seconds_since.hpp"
 #include "lapilli/mpm/heat/steps_ahead.hpp"
 
 namespace lapilli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // Steps of later stages count by their points.
 double steps_of_later_stages(const CheckReport& report) {

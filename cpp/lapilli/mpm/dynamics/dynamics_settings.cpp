@@ -83,11 +83,17 @@ std::vector<std::string> warnings(const DynamicsSettings& settings) {
   }
   for (std::size_t k = 0; k < settings.obstacles.size(); ++k) {
     const Obstacle& one = settings.obstacles[k];
+    const std::string name =
+        message("dynamics.obstacles.", k, one.name.empty() ? "" : " (" + one.name + ")");
     if (one.revolutions_per_second != 0.0 && one.center.empty() && !one.mass) {
-      all.push_back(message("dynamics.obstacles.", k, one.name.empty() ? "" : " (", one.name,
-                            one.name.empty() ? "" : ")",
-                            " turns about the origin of the grid: give center to turn it about "
-                            "another place"));
+      all.push_back(name +
+                    " turns about the origin of the grid: give center to turn it about another "
+                    "place");
+    }
+    if (!one.separation && settings.local_damping == 0.0) {
+      all.push_back(name +
+                    " holds what has touched it: without local_damping what hangs from it gains "
+                    "energy in steps of uneven size");
     }
   }
   return all;

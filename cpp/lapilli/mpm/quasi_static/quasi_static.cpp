@@ -12,9 +12,6 @@
 namespace lapilli {
 namespace {
 
-// GIMP domains stay within these half-widths, in cells.
-constexpr double least_half_width = 0.02, largest_half_width = 0.499;
-
 /// The next larger share of the elastic stiffness in a tangent.
 double stiffer(double elastic_share) {
   return elastic_share < 0.1 ? 0.1 : elastic_share < 0.5 ? 0.5 : 1.0;

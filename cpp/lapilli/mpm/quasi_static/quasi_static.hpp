@@ -17,6 +17,9 @@
 
 namespace lapilli {
 
+// GIMP domains stay within these half-widths, in cells.
+inline constexpr double least_half_width = 0.02, largest_half_width = 0.499;
+
 /// Quasi-static equilibrium of solid bodies by the implicit material point method, with walls
 /// that do not fit the grid (Cortis et al. 2018, corrected). One step of the clock is one load
 /// step, which ends earlier at entries of tables; a step that fails is halved, and the points keep

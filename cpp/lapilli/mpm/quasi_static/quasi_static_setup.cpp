@@ -8,12 +8,6 @@
 #include "lapilli/mpm/surface/narrow_gap.hpp"
 
 namespace lapilli {
-namespace {
-
-// GIMP domains start within these half-widths, in cells.
-constexpr double least_half_width = 0.02, largest_half_width = 0.499;
-
-}  // namespace
 
 template <int Dim>
 QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFunction shape_function,
