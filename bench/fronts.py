@@ -48,7 +48,7 @@ def changes_of(texts: Sequence[str]) -> dict[str, list[str]]:
     return {path: [value] for path, _, value in (text.partition("=") for text in texts)}
 
 
-def measured(given: dict[str, Any], store: Path, workers: int) -> Table:
+def measured(given: dict[str, Any], store: Path, workers: int, repeats: int) -> Table:
     """The default and every other setting of a scene on all of its cells."""
     scene = Scene.load(str(examples.path(given["scene"])))
     for change in given.get("set", []):
@@ -61,7 +61,7 @@ def measured(given: dict[str, Any], store: Path, workers: int) -> Table:
         [cells, *(cells | one for one in others)],
         given.get("reference"),
         quantities=[given.get("quantity", "temperature")],
-        repeats=3,
+        repeats=repeats,
         runner=LocalPool(workers),
         store=store,
         report=report,
@@ -115,6 +115,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--only", choices=scenes(), action="append", help="scenes; all if none")
     parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--output", type=Path, default=Path("build/fronts"))
     parser.add_argument("--manual", action="store_true", help="renew the page of the manual")
     given = parser.parse_args()
@@ -122,7 +123,9 @@ def main() -> int:
     found = []
     for name in given.only or scenes():
         print(f"{name}:", file=sys.stderr, flush=True)
-        table = measured(scenes()[name], given.output / f"{name}.jsonl", given.workers)
+        table = measured(
+            scenes()[name], given.output / f"{name}.jsonl", given.workers, given.repeats
+        )
         table.to_csv(given.output / f"{name}.csv")
         table.picture(given.output / f"{name}.png")
         rows = compared(table)

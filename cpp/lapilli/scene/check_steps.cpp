@@ -73,9 +73,9 @@ void measure_steps(const Scene& scene, Simulation& simulation, CheckReport& repo
     report.notes.push_back(message("fails soon: ", error.what()));
   }
   double left = 0.0, left_cost = 0.0;  // in steps like those taken
+  const StepsAhead chosen = chosen_steps(simulation);
+  const bool is_given = scene.time.step || scene.time.steps;
   if (simulation.time() < scene.time.end) {
-    const StepsAhead chosen = chosen_steps(simulation);
-    const bool is_given = scene.time.step || scene.time.steps;
     size = is_given || chosen.number > 0.0 ? size : std::max(size, chosen.settled);
     left = left_cost = steps_until_end(scene, simulation.time(), size);
     if (chosen.number > 0.0) {
@@ -84,7 +84,8 @@ void measure_steps(const Scene& scene, Simulation& simulation, CheckReport& repo
       left_cost = chosen.cost * left / chosen.number;
     }
   }
-  report.step = size;
+  // Beside their limit: explicit ones, whatever longer ones follow.
+  report.step = is_given || chosen.settled <= 0.0 ? size : chosen.settled;
   report.steps = 1 + taken + static_cast<Index>(std::min(left, most_steps));
   const double cost = taken == 0 ? seconds_of_first : seconds_of_others / weight;
   report.seconds_to_run = cost * (1.0 + weight + left_cost + steps_of_later_stages(report));

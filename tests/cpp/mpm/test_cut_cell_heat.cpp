@@ -252,7 +252,8 @@ TEST_CASE("Sources, several materials and regions balance in one to three dimens
         simulation.run_until(2.0);
         heat_taken(simulation);
         double source = 0.0;
-        for (const auto& entry : simulation.balances().front().entries) {
+        const auto balance = simulation.balances().front();
+        for (const auto& entry : balance.entries) {
           source += entry.name == "source" ? entry.in : 0.0;
         }
         CHECK(source > 0.0);

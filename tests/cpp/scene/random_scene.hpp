@@ -38,7 +38,7 @@ class RandomMembers {
         TemperatureTable table;
         double at = number(Key("temperatures"));
         const std::size_t entries = 1 + below(4);
-        for (std::size_t k = 0; k < entries; ++k) {
+        for (std::size_t k = 0; k < entries && std::isfinite(at); ++k) {
           table.temperatures.push_back(at);
           table.values.push_back(number(key));
           at += std::max(1.0, std::abs(at));

@@ -24,7 +24,8 @@ POSES = {
                 "obstacles contacts boundaries",
     "dynamics.grid_boundaries": "kind face coefficient",
     "dynamics.obstacles": "shape contact friction adhesion velocity revolutions_per_second center "
-                          "axis factor mass inertia force held",
+                          "axis factor mass inertia force held separation temperature conductance "
+                          "heat_capacity",
     "dynamics.contacts": "bodies contact friction adhesion",
     "dynamics.boundaries": "kind value factor region",
     "quasi_static": "gravity body_force supports tractions",

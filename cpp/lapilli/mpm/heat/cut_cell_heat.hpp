@@ -91,10 +91,10 @@ class CutCellHeat final : public Physics,
     return problem_.settings.time_integration == TimeIntegration::automatic;
   }
 
-  /// One Euler step; while these are long beside the time since something began or bent, one and
-  /// two halves, extrapolated (Richardson 1911).
+  /// One Euler step; under tables, while it is long beside the time since an entry, one and two
+  /// halves, extrapolated (Richardson 1911).
   void step_explicitly(const Step& step);
-  double time_since_entry(double time) const;  // of a table; since the start where none has one, s
+  double time_since_entry(double time) const;  // of a table, s; infinite where there is no table
   void take_explicit_step(const Step& step);
   // Its phases, part by part.
   void conduct(Solved& one, const Step& step);
