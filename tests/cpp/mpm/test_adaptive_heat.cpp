@@ -85,7 +85,8 @@ TEST_CASE("Steps in stages come before implicit ones and give way where they wou
   AdaptiveSteps steps(1e-4, 0.1, 400.0);
   steps.allow_stages(12.0);  // 2 over the limit of an explicit step, of which 0.1 is 0.6
   CHECK_FALSE(steps.choose(1.0, 0.0, never));  // too soon
-  CHECK(steps.choose(50.0, 0.0, never));
+  CHECK_FALSE(steps.choose(50.0, 0.0, never));  // 40 steps for 15: not a quarter
+  CHECK(steps.choose(200.0, 0.0, never));
   CHECK(steps.kind() == SteppingKind::stages);
   CHECK(steps.size() == Approx(0.15));  // growing from explicit ones
   CHECK(steps.stages(4.0) == 9);
@@ -98,13 +99,13 @@ TEST_CASE("Steps in stages come before implicit ones and give way where they wou
   for (int k = 0; k < 30; ++k) {
     steps.follow(steps.size(), 0.0);
   }
-  CHECK(steps.choose(60.0, 0.0, never));
+  CHECK(steps.choose(210.0, 0.0, never));
   CHECK(steps.kind() == SteppingKind::implicit);
   StepsAhead ahead;
-  steps.count(60.0, 1e9, 0.0, ahead);
+  steps.count(210.0, 1e9, 0.0, ahead);
   CHECK(ahead.number < 300.0);
   CHECK(ahead.cost < 400.0 * 300.0);
-  CHECK(steps.choose(61.0, 60.5, never));  // a jump
+  CHECK(steps.choose(211.0, 210.5, never));  // a jump
   CHECK_FALSE(steps.are_long());
 }
 

@@ -18,9 +18,10 @@ constexpr double part_of_a_step = 0.2;  // of the tolerance
 constexpr double cost_of_stage = 1.7;
 constexpr int most_stages = 1000;  // beyond, rounding grows with their square
 
-// Stages are of second order: they are taken where they cost somewhat more than explicit steps,
-// from the first of a length that three of them bear.
-constexpr double price_of_order = 1.5;
+// Stages are taken where they cost a quarter of the explicit steps, from the first of a length that
+// three of them bear: what explicit steps are late by takes from the error of the cells, and leaves
+// a third of it (ring, square, rod), which smaller cells would cost as much to reach.
+constexpr double price_of_stages = 4.0;
 constexpr double shortest = 4.0;  // explicit steps
 constexpr double growth = 1.5;    // from one to the next, at most
 
@@ -41,7 +42,7 @@ int AdaptiveSteps::stages(double size) const { return ChebyshevStages::needed(si
 double AdaptiveSteps::cost_of(SteppingKind kind, double size) const {
   switch (kind) {
     case SteppingKind::explicit_euler:
-      return std::max(1.0, size / explicit_step_) * (stage_rate_ > 0.0 ? price_of_order : 1.0);
+      return std::max(1.0, size / explicit_step_);
     case SteppingKind::stages:
       return stage_rate_ > 0.0 && stages(std::min(size, 1e6 * explicit_step_)) <= most_stages
                  ? cost_of_stage * stages(size)
@@ -58,11 +59,14 @@ double AdaptiveSteps::least_size() const {
 }
 
 SteppingKind AdaptiveSteps::cheapest(double size) const {
-  SteppingKind best = SteppingKind::explicit_euler;
-  for (const SteppingKind other : {SteppingKind::stages, SteppingKind::implicit}) {
-    best = cost_of(other, size) < cost_of(best, size) ? other : best;
-  }
-  return best;
+  const SteppingKind best =
+      cost_of(SteppingKind::stages, size) < cost_of(SteppingKind::implicit, size)
+          ? SteppingKind::stages
+          : SteppingKind::implicit;
+  const double price = best == SteppingKind::stages ? price_of_stages : 1.0;
+  return price * cost_of(best, size) < cost_of(SteppingKind::explicit_euler, size)
+             ? best
+             : SteppingKind::explicit_euler;
 }
 
 double AdaptiveSteps::first_size(double time, double since) const {
