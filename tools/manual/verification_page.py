@@ -53,13 +53,13 @@ def page(rows: Sequence[Row]) -> str:
 def part_of(name: str, rows: Sequence[Row]) -> str:
     """One case: title, picture, table."""
     picture = f"pictures/gallery/{name.replace('/', '_')}.png"
-    shown = f"![{name}]({picture})\n\n" if (DOCS / picture).exists() else ""
+    title = cases.load(name).title
+    shown = f"![{title}]({picture})\n\n" if (DOCS / picture).exists() else ""
     lines = [
         "| setting | quantity | paper | reference | lapilli | bar | |",
         "|---|---|--:|--:|--:|--:|---|",
         *(line_of(row) for row in rows),
     ]
-    title = cases.load(name).title
     return f"## {title}\n\n`lapilli reproduce {name}`\n\n{shown}" + "\n".join(lines) + "\n"
 
 
