@@ -84,7 +84,7 @@ TEST_CASE("Steps in stages come before implicit ones and give way where they wou
   const double never = 1e300;
   AdaptiveSteps steps(1e-4, 0.1, 400.0);
   steps.allow_stages(12.0);  // 2 over the limit of an explicit step, of which 0.1 is 0.6
-  CHECK_FALSE(steps.choose(1.0, 0.0, never));  // too soon
+  CHECK_FALSE(steps.choose(1.0, 0.0, never));   // too soon
   CHECK_FALSE(steps.choose(50.0, 0.0, never));  // 40 steps for 15: not a quarter
   CHECK(steps.choose(200.0, 0.0, never));
   CHECK(steps.kind() == SteppingKind::stages);

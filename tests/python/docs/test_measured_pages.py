@@ -58,7 +58,7 @@ def test_every_scanned_scene_has_its_picture_and_advice(site: Path) -> None:
 
 def test_defaults_lie_near_the_front() -> None:
     """At most 1.5 times its cost, at the median of the cells of each scene. The cavity alone lies
-    further off: two fifths of the sound speed, and half of the cost, serve as well at this Rayleigh number."""
+    further off: two fifths of the sound speed serve as well there, at half of the cost."""
     measured = json.loads(fronts_page.FRONTS.read_text())
     far = {
         one["name"]

@@ -92,9 +92,9 @@ def test_units_of_keys_are_found() -> None:
     assert _unit(lp.Flux, "value") == "W/m^2"
     assert _unit(lp.Body, "name") == _unit(lp.Elastic, "poissons_ratio") == ""
     known = {
-        "", "1/K", "1/s", "J/(kg K)", "J/K", "J/kg", "K", "N/m^3", "Pa s", "Pa", "W/(m K)", "W/(m^2 K)",
-        "W/(m^2 K^4)", "W/m^2", "W/m^3", "cells", "degree", "kg/m^3", "m", "m/s", "m/s^2", "s",
-        "rad/s", "kg", "kg m^2", "N",
+        "", "1/K", "1/s", "J/(kg K)", "J/K", "J/kg", "K", "N/m^3", "Pa s", "Pa", "W/(m K)",
+        "W/(m^2 K)", "W/(m^2 K^4)", "W/m^2", "W/m^3", "cells", "degree", "kg/m^3", "m", "m/s",
+        "m/s^2", "s", "rad/s", "kg", "kg m^2", "N",
     }  # fmt: skip
     for made in vars(_core).values():
         if hasattr(made, "__signature__"):
