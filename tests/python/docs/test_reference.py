@@ -62,6 +62,15 @@ def test_every_field_is_there_with_its_unit(site: Path, tmp_path: Path) -> None:
         scene = examples.load(name).set(change).set(coarse)
         result = lp.run(scene, tmp_path / f"{name.replace('/', '_')}.vtkhdf", progress=False)
         written |= result.frames.units
+    clay = examples.load("soil/collapse").set("grid.cell=0.25").set("time.end=0.01")
+    clay.bodies[0].material = lp.ModifiedCamClay(
+        density=1800,
+        youngs_modulus=1e6,
+        critical_state_slope=1.2,
+        plastic_compressibility=0.04,
+        preconsolidation_pressure=1e5,
+    )
+    written |= lp.run(clay, tmp_path / "clay.vtkhdf", progress=False).frames.units
     assert written.pop("volume") in ("m", "m^2", "m^3")
     assert shown.pop("volume") == "m^3"
     assert written == shown
