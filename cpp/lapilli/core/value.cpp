@@ -111,6 +111,23 @@ double Value::next_entry(double time) const {
   return table != nullptr ? table->next_entry(time) : never;
 }
 
+double Value::last_jump(double time) const {
+  double last = 0.0;
+  for (double jump = next_jump(0.0); jump <= time; jump = next_jump(jump)) {
+    last = jump;
+  }
+  return last;
+}
+
+double Value::last_entry(double time) const {
+  const auto* table = std::get_if<Table>(&form_);
+  if (table == nullptr) {
+    return -never;
+  }
+  const auto later = std::upper_bound(table->times.begin(), table->times.end(), time);
+  return later == table->times.begin() ? 0.0 : std::max(0.0, *std::prev(later));
+}
+
 double Value::largest() const {
   if (const auto* table = std::get_if<Table>(&form_)) {
     return *std::max_element(table->values.begin(), table->values.end());

@@ -56,6 +56,11 @@ class Value {
   double mean(double begin, double end) const;
   double next_jump(double time) const;
   double next_entry(double time) const;
+  /// The last jump from the start, 0 s, up to `time`; the start where there is none.
+  double last_jump(double time) const;
+  /// The last entry of a table from the start up to `time`, the start where there is none; minus
+  /// infinity of what is no table.
+  double last_entry(double time) const;
   /// The largest and the least value of a constant or a table; infinite for a function.
   double largest() const;
   double least() const;

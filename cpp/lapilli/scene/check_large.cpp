@@ -54,9 +54,8 @@ void estimate_steps(const Scene& scene, CheckReport& report) {
   report.step_reason =
       message("about, from copies with cells ", std::round(10.0 * factor / ratio) / 10.0, " and ",
               std::round(10.0 * factor) / 10.0, " times as large");
-  const double steps = std::min(steps_until_end(scene, 0.0, report.step), 9e18);
-  report.steps = static_cast<Index>(steps);
-  report.seconds_to_run = seconds_of_a_step(*finer) * more * steps;
+  report.steps = whole_steps(steps_until_end(scene, 0.0, report.step));
+  report.seconds_to_run = seconds_of_a_step(*finer) * more * static_cast<double>(report.steps);
   report.seconds_to_build = finer->seconds_to_build * more;
 }
 

@@ -33,8 +33,6 @@ StepsAhead chosen_steps(const Simulation& simulation) {
   return {};
 }
 
-constexpr double most_steps = 9e18;  // that an integer counts
-
 }  // namespace
 
 double steps_until_end(const Scene& scene, double begin, double size) {
@@ -50,6 +48,8 @@ double steps_until_end(const Scene& scene, double begin, double size) {
   add_steps(end - next_frame - frames * every, 1.0);
   return steps;
 }
+
+Index whole_steps(double steps) { return static_cast<Index>(std::min(steps, 9e18)); }
 
 // The first step also assembles what later ones use, and is often shorter, so it is not counted.
 void measure_steps(const Scene& scene, Simulation& simulation, CheckReport& report) {
@@ -86,7 +86,7 @@ void measure_steps(const Scene& scene, Simulation& simulation, CheckReport& repo
   }
   // Beside their limit: explicit ones, whatever longer ones follow.
   report.step = is_given || chosen.settled <= 0.0 ? size : chosen.settled;
-  report.steps = 1 + taken + static_cast<Index>(std::min(left, most_steps));
+  report.steps = 1 + taken + whole_steps(left);
   const double cost = taken == 0 ? seconds_of_first : seconds_of_others / weight;
   report.seconds_to_run = cost * (1.0 + weight + left_cost + steps_of_later_stages(report));
 }

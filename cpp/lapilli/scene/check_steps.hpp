@@ -11,4 +11,7 @@ void measure_steps(const Scene& scene, Simulation& simulation, CheckReport& repo
 /// Steps from `begin` to the end of the scene that are `size` long but end at frames.
 double steps_until_end(const Scene& scene, double begin, double size);
 
+/// A number of steps as an integer counts them, at most 9e18.
+Index whole_steps(double steps);
+
 }  // namespace lapilli

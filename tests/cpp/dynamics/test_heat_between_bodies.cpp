@@ -118,35 +118,7 @@ TEST_CASE("no contact conductance carries one body past the other") {
 }
 
 TEST_CASE("heat between bodies has the same bytes for any threads and on resume") {
-  const auto run_of = [](int threads) {
+  check_same_bytes_of_heat([](int threads) {
     return two_slabs(10, 23.0, 0.2, 5.0, 4.0, 0.0, ContactKind::frictional, threads);
-  };
-  const auto bytes_of = [](const WarmRun& run) {
-    Archive archive;
-    run.heat->save(archive);
-    return archive.read_numbers("heat/temperature");
-  };
-  std::vector<std::vector<double>> all;
-  for (const int threads : {1, 2, 3}) {
-    auto run = run_of(threads);
-    run->until(0.01);
-    run->until(0.02);
-    all.push_back(bytes_of(*run));
-  }
-  CHECK(all[1] == all[0]);
-  CHECK(all[2] == all[0]);
-  auto first = run_of(1);
-  first->until(0.01);
-  Archive archive;
-  first->points.save(archive);
-  first->heat->save(archive);
-  first->dynamics->save(archive);
-  auto second = run_of(1);
-  second->points.load(archive);
-  second->heat->load(archive);
-  second->dynamics->load(archive);
-  second->time = first->time;
-  second->index = first->index;
-  second->until(0.02);
-  CHECK(bytes_of(*second) == all[0]);
+  });
 }

@@ -135,34 +135,8 @@ TEST_CASE("an obstacle of little heat comes to the temperature of what it touche
 TEST_CASE("heat of obstacles has the same bytes for any threads and on resume") {
   Obstacle below = plate(0.2 / 12, 23.0, 5.0);
   below.heat_capacity = 2.0;
-  const auto bytes_of = [](const WarmRun& run) {
-    Archive archive;
-    run.heat->save(archive);
-    return archive.read_numbers("heat/temperature");
-  };
-  std::vector<std::vector<double>> all;
-  for (const int threads : {1, 2, 3}) {
-    auto run = slab_on_plate(12, 23.0, 0.2, below, 0.0, threads);
-    run->until(0.01);
-    run->until(0.02);
-    all.push_back(bytes_of(*run));
-  }
-  CHECK(all[1] == all[0]);
-  CHECK(all[2] == all[0]);
-  auto first = slab_on_plate(12, 23.0, 0.2, below);
-  first->until(0.01);
-  Archive archive;
-  first->points.save(archive);
-  first->heat->save(archive);
-  first->dynamics->save(archive);
-  auto second = slab_on_plate(12, 23.0, 0.2, below);
-  second->points.load(archive);
-  second->heat->load(archive);
-  second->dynamics->load(archive);
-  second->time = first->time;
-  second->index = first->index;
-  second->until(0.02);
-  CHECK(bytes_of(*second) == all[0]);
+  check_same_bytes_of_heat(
+      [&](int threads) { return slab_on_plate(12, 23.0, 0.2, below, 0.0, threads); });
 }
 
 TEST_CASE("a block hangs below a plate without separation") {

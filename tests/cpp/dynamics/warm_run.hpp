@@ -1,5 +1,6 @@
 #pragma once
 
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -158,5 +159,39 @@ struct WarmRun {
     throw std::invalid_argument(name);
   }
 };
+
+/// What `make(threads)` makes has the same temperatures after two spans of .01 s with 1, 2 and 3
+/// threads, and from what is saved after the first of them.
+template <class Make>
+void check_same_bytes_of_heat(const Make& make) {
+  const auto bytes_of = [](const WarmRun& run) {
+    Archive archive;
+    run.heat->save(archive);
+    return archive.read_numbers("heat/temperature");
+  };
+  std::vector<std::vector<double>> all;
+  for (const int threads : {1, 2, 3}) {
+    auto run = make(threads);
+    run->until(0.01);
+    run->until(0.02);
+    all.push_back(bytes_of(*run));
+  }
+  CHECK(all[1] == all[0]);
+  CHECK(all[2] == all[0]);
+  auto first = make(1);
+  first->until(0.01);
+  Archive archive;
+  first->points.save(archive);
+  first->heat->save(archive);
+  first->dynamics->save(archive);
+  auto second = make(1);
+  second->points.load(archive);
+  second->heat->load(archive);
+  second->dynamics->load(archive);
+  second->time = first->time;
+  second->index = first->index;
+  second->until(0.02);
+  CHECK(bytes_of(*second) == all[0]);
+}
 
 }  // namespace dynamics_test

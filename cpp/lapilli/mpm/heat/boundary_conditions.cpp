@@ -69,7 +69,6 @@ void BoundaryConditions<Dim>::assign(
 template <int Dim>
 void BoundaryConditions<Dim>::leave_to_obstacle(std::span<const TouchingNode<Dim>> touching,
                                                 double cell) {
-  constexpr double slack = 0.35;  // cells: of a region that ends along the surface
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     const Shape* region = region_of(laws_[law]);
     Nodes& nodes = nodes_[law];
@@ -77,7 +76,7 @@ void BoundaryConditions<Dim>::leave_to_obstacle(std::span<const TouchingNode<Dim
       const auto found =
           std::ranges::lower_bound(touching, nodes.node[k], {}, &TouchingNode<Dim>::node);
       if (found != touching.end() && found->node == nodes.node[k] &&
-          (region == nullptr || distance(*region, found->place) < slack * cell)) {
+          (region == nullptr || distance(*region, found->place) < region_slack * cell)) {
         nodes.area[k] *= found->free_share;
       }
     }

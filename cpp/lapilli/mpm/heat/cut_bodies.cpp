@@ -8,17 +8,21 @@
 
 namespace lapilli {
 
-PairEntries resisting_pairs(const std::vector<HeatBody>& bodies,
-                            const std::vector<HeatContact>& contacts) {
+std::vector<std::string> names_of(const std::vector<HeatBody>& bodies) {
   std::vector<std::string> names;
   for (const HeatBody& body : bodies) {
     names.push_back(body.name);
   }
+  return names_or_numbers(std::move(names));
+}
+
+PairEntries resisting_pairs(const std::vector<HeatBody>& bodies,
+                            const std::vector<HeatContact>& contacts) {
   std::vector<std::vector<std::string>> pairs;
   for (const HeatContact& contact : contacts) {
     pairs.push_back(contact.bodies);
   }
-  return PairEntries("heat.contacts", pairs, names_or_numbers(std::move(names)));
+  return PairEntries("heat.contacts", pairs, names_of(bodies));
 }
 
 template <int Dim>

@@ -10,6 +10,9 @@
 
 namespace lapilli {
 
+/// By body, as messages call it: by its number where it has no name.
+std::vector<std::string> names_of(const std::vector<HeatBody>& bodies);
+
 /// The bodies that touch with a thermal resistance.
 PairEntries resisting_pairs(const std::vector<HeatBody>& bodies,
                             const std::vector<HeatContact>& contacts);

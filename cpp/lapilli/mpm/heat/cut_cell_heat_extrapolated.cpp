@@ -1,38 +1,15 @@
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
 
 namespace lapilli {
-namespace {
-
-/// The last entry of a table up to a time, the start where it has none; minus infinity of what is
-/// no table.
-double last_entry(const Value& value, double time) {
-  const auto* table = std::get_if<Table>(&value.form());
-  if (table == nullptr) {
-    return -std::numeric_limits<double>::infinity();
-  }
-  const auto later = std::upper_bound(table->times.begin(), table->times.end(), time);
-  return later == table->times.begin() ? 0.0 : std::max(0.0, *std::prev(later));
-}
-
-}  // namespace
 
 template <int Dim>
 double CutCellHeat<Dim>::time_since_entry(double time) const {
-  double last = -std::numeric_limits<double>::infinity();
-  const auto look = [&](const Value& value) {
-    last = std::max(last, last_entry(value, time * (1.0 + 1e-12)));
-  };
-  for (std::size_t law = 0; law < laws_.size(); ++law) {
-    for (const Value* value : values_of(laws_[law])) {
-      look(*value);
-    }
-  }
+  const double now = time * (1.0 + 1e-12);  // where a step has ended at an entry
+  double last = laws_.last_entry(now);
   for (const HeatBody& body : problem_.bodies) {
-    look(body.source);
+    last = std::max(last, body.source.last_entry(now));
   }
   return time - last;
 }
@@ -43,8 +20,12 @@ void CutCellHeat<Dim>::step_explicitly(const Step& step) {
   // what has happened since a table had an entry. Under conditions that stay, what it is late by
   // takes from the error of the cells: on squares the two cancel at a step of h^2 / (6 alpha).
   constexpr double short_enough = 0.01;
+  if (!is_adaptive()) {
+    take_explicit_step(step);
+    return;
+  }
   const double since = time_since_entry(step.time) + step.size;
-  if (!is_adaptive() || step.size < short_enough * since) {
+  if (step.size < short_enough * since) {
     take_explicit_step(step);
     for (Solved& one : solved_) {
       watch_curvature(one, step, 1.0);

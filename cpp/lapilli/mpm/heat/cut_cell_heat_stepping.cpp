@@ -91,9 +91,7 @@ double CutCellHeat<Dim>::last_jump() const {
   const double now = time_ * (1.0 + 1e-12);  // where a step has ended at an entry
   double jump = laws_.last_jump(now);
   for (const HeatBody& body : problem_.bodies) {
-    for (double at = body.source.next_jump(0.0); at <= now; at = body.source.next_jump(at)) {
-      jump = std::max(jump, at);
-    }
+    jump = std::max(jump, body.source.last_jump(now));
   }
   return jump;
 }
@@ -143,9 +141,9 @@ void CutCellHeat<Dim>::begin_implicit_steps(SteppingKind before, double last) {
   for (Solved& one : solved_) {
     number_all_leaders(one);
     System& all = *one.all;
-    const SurfaceTerm::Vector capacity = gather(all, one.part.capacity);
+    const Vector capacity = gather(all, one.part.capacity);
     if (before == SteppingKind::stages) {
-      all.rate = one.rates.rise.empty() ? SurfaceTerm::Vector()
+      all.rate = one.rates.rise.empty() ? Vector()
                                         : gather(all, one.rates.rise).cwiseProduct(capacity).eval();
       all.error = gather(all, one.error);
     } else {
@@ -203,9 +201,6 @@ void CutCellHeat<Dim>::widen_span() {
 
 template <int Dim>
 void CutCellHeat<Dim>::watch_curvature(Solved& one, const Step& step, double left) {
-  if (!is_adaptive()) {
-    return;
-  }
   if (is_look(step.index + 1)) {
     one.earlier = one.increment;
     for (double& rate : one.earlier) {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "lapilli/core/in_space.hpp"
-#include "lapilli/core/pair_entries.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/checks.hpp"
+#include "lapilli/mpm/heat/cut_bodies.hpp"
 #include "lapilli/mpm/surface/divide_pieces.hpp"
 
 namespace lapilli {
@@ -30,14 +30,6 @@ SurfaceFound::NearBody& near_body(std::size_t other, SurfaceFound& found) {
 /// What is meant of a pair: of two that touch, a gap along a whole cell of flat surface.
 bool is_drawn(const SurfaceFound::NearBody& near, double cell, int dimension) {
   return near.touches ? near.flat > std::pow(cell, dimension - 1) : near.width > 0.0;
-}
-
-std::vector<std::string> names_of(const std::vector<HeatBody>& bodies) {
-  std::vector<std::string> names;
-  for (const HeatBody& body : bodies) {
-    names.push_back(body.name);
-  }
-  return names_or_numbers(std::move(names));
 }
 
 std::string in_cells(double width, double cell) {

@@ -12,7 +12,7 @@ namespace {
 
 /// Numbers for bodies of one name: columns of the history are told by them.
 template <int Dim>
-std::vector<std::string> names_of(const HeatProblem<Dim>& problem) {
+std::vector<std::string> distinct_names_of(const HeatProblem<Dim>& problem) {
   std::vector<std::string> names;
   for (const HeatBody& body : problem.bodies) {
     const auto same = std::ranges::count(problem.bodies, body.name, &HeatBody::name);
@@ -26,7 +26,7 @@ std::vector<std::string> names_of(const HeatProblem<Dim>& problem) {
 template <int Dim>
 void HeatFields<Dim>::find_pairs(const HeatProblem<Dim>& problem) {
   const std::vector<HeatContact>& contacts = problem.settings.contacts;
-  const std::vector<std::string> names = names_of(problem);
+  const std::vector<std::string> names = distinct_names_of(problem);
   const PairEntries entries = resisting_pairs(problem.bodies, contacts);
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     require(!contacts[k].conductance.is_function(), "heat.contacts.", k,
@@ -96,9 +96,7 @@ void HeatFields<Dim>::hold_outer_nodes(const std::vector<BodyTouch>& touches) {
       const Index outer = first_is_light ? one : two;
       const Index heir = fields_.node_in(first_is_light ? touch.first : touch.second, touch.node);
       if (heir >= 0 && nodes_.capacity[heir] > 0.0) {
-        const double heat = nodes_.capacity[outer] * nodes_.increment[outer];
-        nodes_.increment[heir] += heat / nodes_.capacity[heir];
-        nodes_.increment[outer] = 0.0;
+        nodes_.hand_on(outer, heir);
       }
     }
   }

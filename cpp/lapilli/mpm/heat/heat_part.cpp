@@ -314,12 +314,11 @@ std::vector<ResistingContact> contacts_of(const HeatProblem<Dim>& problem,
   }
   for (std::size_t entry = 0; entry < problem.settings.contacts.size(); ++entry) {
     const auto& bodies = problem.settings.contacts[entry].bodies;
-    if (std::ranges::any_of(found, [&](const auto& one) { return one.entry == entry; })) {
-      continue;
+    if (std::ranges::none_of(found, [&](const auto& one) { return one.entry == entry; })) {
+      require(!bodies.empty(), "heat.contacts.", entry, ": no bodies touch");
+      require(false, "heat.contacts.", entry, ": ", bodies[0], " and ", bodies[1], " do not touch",
+              gap_between(bodies, surfaces, problem.bodies, problem.grid.cell_size()));
     }
-    require(!bodies.empty(), "heat.contacts.", entry, ": no bodies touch");
-    require(false, "heat.contacts.", entry, ": ", bodies[0], " and ", bodies[1], " do not touch",
-            gap_between(bodies, surfaces, problem.bodies, problem.grid.cell_size()));
   }
   return found;
 }

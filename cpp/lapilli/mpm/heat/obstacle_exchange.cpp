@@ -93,9 +93,7 @@ void ObstacleExchange<Dim>::exchange(const Step& step, PointGridTransfer<Dim>& n
       continue;
     }
     for (const OuterNode& outer : surfaces_[k].outer) {
-      const double heat = nodal.capacity[outer.node] * nodal.increment[outer.node];
-      nodal.increment[outer.heir] += heat / nodal.capacity[outer.heir];
-      nodal.increment[outer.node] = 0.0;
+      nodal.hand_on(outer.node, outer.heir);
     }
     const std::vector<TouchingNode<Dim>>& nodes = surfaces_[k].nodes;
     const std::vector<double> weight = exchanged(k, step, nodal);

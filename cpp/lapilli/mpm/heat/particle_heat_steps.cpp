@@ -37,8 +37,7 @@ void ParticleHeat<Dim>::touch(std::vector<FindFeet<Dim>> feet) {
 
 template <int Dim>
 void ParticleHeat<Dim>::separate(const NodeFields<Dim>& fields, FindTouches touches) {
-  const bool with_surface = !problem_.settings.boundaries.empty() || !problem_.obstacles.empty();
-  fields_ = std::make_unique<HeatFields<Dim>>(problem_, coefficients_, with_surface, fields,
+  fields_ = std::make_unique<HeatFields<Dim>>(problem_, coefficients_, grid_.has_surface(), fields,
                                               std::move(touches));
   limited_ordering_ = -1;
   bound_step();

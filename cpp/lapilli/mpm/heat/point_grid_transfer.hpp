@@ -38,6 +38,14 @@ class PointGridTransfer {
   /// Zero all but the increments that were blended, on the nodes that points may touch now.
   void clear(const CellOrder<Dim>& order);
 
+  /// Give the heat of the increment at one node to another.
+  void hand_on(Index from, Index to) {
+    increment[to] += capacity[from] * increment[from] / capacity[to];
+    increment[from] = 0.0;
+  }
+  /// Whether the sums for the surface are taken.
+  bool has_surface() const { return with_surface_; }
+
   /// Run body(begin, end) over ranges of nodes that points can touch.
   template <class Body>
   void for_active_nodes(const Body& body) const {

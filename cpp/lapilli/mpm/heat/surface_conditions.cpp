@@ -7,15 +7,6 @@
 namespace lapilli {
 namespace {
 
-/// The last jump of a table up to a time, 0 where there is none.
-double jump_before(const Value& value, double time) {
-  double last = 0.0;
-  for (double jump = value.next_jump(0.0); jump <= time; jump = value.next_jump(jump)) {
-    last = jump;
-  }
-  return last;
-}
-
 void renew_layers(SurfaceSites& sites) {
   for (std::size_t k = 0; k < sites.conductivity.size(); ++k) {
     if (sites.conductivity[k] != nullptr) {
@@ -60,7 +51,7 @@ double SurfaceConditions::hold_over(std::size_t law, const HoldLayer& layer, dou
   }
   double since = 0.0;
   for (const Value* value : values_of(laws_[law])) {
-    since = std::max(since, jump_before(*value, from));
+    since = std::max(since, value->last_jump(from));
   }
   const double spans = std::floor((0.5 * (from + to) - since) / hold_span_);
   return std::min(1.0, first * std::exp2(std::min(spans, 60.0)));
@@ -70,7 +61,7 @@ double SurfaceConditions::last_jump(double time) const {
   double last = 0.0;
   for (const HeatBoundary& law : laws_) {
     for (const Value* value : values_of(law)) {
-      last = std::max(last, jump_before(*value, time));
+      last = std::max(last, value->last_jump(time));
     }
   }
   return last;
@@ -93,6 +84,16 @@ double SurfaceConditions::next_entry(double time) const {
     }
   }
   return next;
+}
+
+double SurfaceConditions::last_entry(double time) const {
+  double last = -std::numeric_limits<double>::infinity();
+  for (const HeatBoundary& law : laws_) {
+    for (const Value* value : values_of(law)) {
+      last = std::max(last, value->last_entry(time));
+    }
+  }
+  return last;
 }
 
 bool SurfaceConditions::jumps_within(double from, double to) const {

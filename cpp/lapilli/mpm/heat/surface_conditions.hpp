@@ -70,6 +70,8 @@ class SurfaceConditions {
   double step_since_jump(double time, double largest) const;
   /// The next time at which a table of any law has an entry, s; infinite where none has.
   double next_entry(double time) const;
+  /// The last such time from the start up to this one; minus infinity where there is no table.
+  double last_entry(double time) const;
 
   std::size_t size() const { return laws_.size(); }
   bool empty() const { return laws_.empty(); }

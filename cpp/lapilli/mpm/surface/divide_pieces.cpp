@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "lapilli/core/in_space.hpp"
+#include "lapilli/mpm/surface/surface_regions.hpp"
 
 namespace lapilli {
 namespace {
 
 // Lengths in cells.
 constexpr double on_wall_by = 1e-6;
-constexpr double slack = 0.35;    // of a region that ends along the surface
 constexpr double on_edge = 1e-6;  // beyond its edge a place counts as in a region
 constexpr double entered = 0.1;   // of the distance before: a tangent circle leaves a fourth
 
@@ -102,14 +102,14 @@ double SurfaceDivision<Dim>::depth_in(std::size_t law, const Vec<Dim>& at, const
   }
   const Vec3 place = in_space<Dim>(at);
   const double from = distance(*region, place);
-  if (std::abs(from) > slack * h) {
+  if (std::abs(from) > region_slack * h) {
     return -from;
   }
   const Vec3 outward = in_space<Dim>(normal), away = gradient(*region, place);
   const double across = std::max(away.dot(outward), 0.0);
   const Vec3 along = away - across * outward;
   const bool passes = from > 0.0 && across > 0.0 && enters(*region, place, from, along);
-  return h * (passes ? margin : std::max(margin, slack * std::pow(across, 8))) - from;
+  return h * (passes ? margin : std::max(margin, region_slack * std::pow(across, 8))) - from;
 }
 
 /// At its corners, its middle and half way between these and each other.

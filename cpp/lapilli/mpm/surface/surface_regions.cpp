@@ -10,7 +10,6 @@ namespace lapilli {
 namespace {
 
 // Lengths in cells, areas in faces of a cell.
-constexpr double edge_slack = 0.35;   // of a region that ends along the surface
 constexpr double least_width = 0.1;   // of the ramp there
 constexpr double corner_width = 0.5;  // of the ramp across a corner's faces, which are pieces
 constexpr double least_part = 0.02;   // less area gives no place
@@ -28,7 +27,7 @@ double covered(const Shape& region, const Vec3& centre, const Vec<Dim>& directio
   const Vec<Dim> outward = gradient(region, centre).template head<Dim>();
   const double across = outward.dot(direction);
   const double along = (outward - across * direction).cwiseProduct(width).template lpNorm<1>();
-  const double reach = edge_slack * cell * std::pow(across, 8);
+  const double reach = region_slack * cell * std::pow(across, 8);
   return std::clamp(0.5 - (from - reach) / (cell * std::max(along, least_width)), 0.0, 1.0);
 }
 

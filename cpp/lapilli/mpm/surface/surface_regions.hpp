@@ -11,6 +11,9 @@
 
 namespace lapilli {
 
+// Cells; a region that ends along the surface, less than this below or beyond it, has it.
+inline constexpr double region_slack = 0.35;
+
 /// Where the surface lies that a node's area stands for.
 template <int Dim>
 struct SurfacePlace {

@@ -70,6 +70,10 @@ class ObstacleContacts {
   std::vector<Found> near(const DynamicsData<Dim>& data, const Take& take) const;
   double face_of(const DynamicsData<Dim>& data, Index row) const;
   double clearance(const Vec3& x) const { return distance(obstacle_.shape, motion_.reference(x)); }
+  /// Of the obstacle, at the place nearest to one.
+  Vec3 normal_at(const Vec3& x) const {
+    return motion_.turned(gradient(obstacle_.shape, motion_.reference(x)));
+  }
   bool place_on_nodes(const DynamicsData<Dim>& data, const Vec<Dim>& place,
                       Contact<Dim>& contact) const;
   Contact<Dim> contact_at(const DynamicsData<Dim>& data, Index row, const Vec3& x, double gap,

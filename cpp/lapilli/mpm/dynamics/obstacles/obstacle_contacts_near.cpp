@@ -61,7 +61,7 @@ template <int Dim>
 Contact<Dim> ObstacleContacts<Dim>::contact_at(const DynamicsData<Dim>& data, Index row,
                                                const Vec3& x, double gap, double step) const {
   const double skin = skins_.of(row);
-  const Vec3 normal = motion_.turned(gradient(obstacle_.shape, motion_.reference(x)));
+  const Vec3 normal = normal_at(x);
   Contact<Dim> contact;
   contact.row = row;
   contact.normal = normal.head<Dim>().normalized();
@@ -113,7 +113,7 @@ std::vector<SurfaceFoot<Dim>> ObstacleContacts<Dim>::feet(const DynamicsData<Dim
     }
     const Vec3 x = in_space<Dim>(data.points.template position<Dim>(row));
     if (const double gap = clearance(x); gap <= touch) {
-      const Vec3 normal = motion_.turned(gradient(obstacle_.shape, motion_.reference(x)));
+      const Vec3 normal = normal_at(x);
       const Vec3 foot = x - gap * normal;
       add({row, foot.head<Dim>(), normal.head<Dim>().normalized(), face_of(data, row)});
     }
