@@ -104,4 +104,5 @@ set(fused_kernels
     mpm/heat/fastest_rate.cpp
     mpm/heat/nodal_heat.cpp
     mpm/heat/nodal_heat_theta.cpp
-    mpm/heat/point_grid_transfer.cpp)
+    mpm/heat/point_grid_transfer.cpp
+    mpm/heat/point_grid_transfer_update.cpp)

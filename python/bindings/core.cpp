@@ -6,11 +6,9 @@
 #include "lapilli/core/parallel.hpp"
 
 namespace lapilli::python {
+namespace {
 
-void bind_core(py::module_& module) {
-  py::register_exception<RunError>(module, "RunError", PyExc_RuntimeError).doc() =
-      "A run that went wrong; the message names step, time, point, field and likely cause.";
-
+void bind_table(py::module_& module) {
   py::class_<Table>(
       module, "Table",
       "A number tabulated in time: linear between the times, constant outside them; two equal "
@@ -66,7 +64,14 @@ void bind_core(py::module_& module) {
                         return Table{state[0].cast<std::vector<double>>(),
                                      state[1].cast<std::vector<double>>()};
                       }));
+}
 
+}  // namespace
+
+void bind_core(py::module_& module) {
+  py::register_exception<RunError>(module, "RunError", PyExc_RuntimeError).doc() =
+      "A run that went wrong; the message names step, time, point, field and likely cause.";
+  bind_table(module);
   module.def(
       "unknown_name",
       [](const std::string& what, const std::string& given, const std::vector<std::string>& names) {

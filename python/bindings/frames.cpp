@@ -5,9 +5,14 @@
 #include <mutex>
 
 #include "bindings.hpp"
+#include "convert.hpp"
 #include "initialized.hpp"
+#include "lapilli/core/interruption.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/output/frame_reader.hpp"
+#include "lapilli/output/merge.hpp"
+#include "lapilli/output/verify.hpp"
+#include "simulation.hpp"
 
 namespace lapilli::python {
 
@@ -90,6 +95,43 @@ std::vector<Index> point_counts_of(const SharedReader& reader) {
   return counts;
 }
 
+void bind_frame_files(py::module_& module) {
+  module.def(
+      "merge",
+      [](const py::object& from, const py::object& to) {
+        const std::string source = file_name(from), target = file_name(to);
+        const py::gil_scoped_release release;
+        const Interruption interruption(raise_signals);
+        merge(source, target);
+      },
+      py::arg("from_path"), py::arg("to_path"),
+      "merge(from_path: str | os.PathLike[str], to_path: str | os.PathLike[str]) -> "
+      "None\n\nGather a series of frames into one self-contained file.");
+  module.def(
+      "verify",
+      [](const std::string& frames) {
+        const Verification found = [&] {
+          const py::gil_scoped_release release;
+          const Interruption interruption(raise_signals);
+          return verify(frames);
+        }();
+        return py::make_tuple(found.frames, found.whole_frames, found.damages);
+      },
+      py::arg("frames"),
+      "verify(frames: str) -> tuple[int, int, list[str]]\n\nFrames of a run or a merged file, "
+      "those "
+      "of which every number fits its checksum, and what is damaged, checkpoints too.");
+  module.def(
+      "rebuild_index",
+      [](const std::string& frames) {
+        const py::gil_scoped_release release;
+        return rebuild_index(frames);
+      },
+      py::arg("frames"),
+      "rebuild_index(frames: str) -> int\n\nMake a lost or damaged index anew from the data files "
+      "beside it; the number of frames.");
+}
+
 }  // namespace
 
 void bind_frames(py::module_& module) {
@@ -119,6 +161,7 @@ void bind_frames(py::module_& module) {
       .def_property_readonly(
           "fields", py::cpp_function(&field_names_of, ("fields" + self + ") -> list[str]").c_str()),
           "names that can be read beside position");
+  bind_frame_files(module);
 }
 
 }  // namespace lapilli::python

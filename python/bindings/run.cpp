@@ -3,9 +3,7 @@
 #include "bindings.hpp"
 #include "convert_scene.hpp"
 #include "lapilli/core/interruption.hpp"
-#include "lapilli/output/merge.hpp"
 #include "lapilli/output/output_error.hpp"
-#include "lapilli/output/verify.hpp"
 #include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/check.hpp"
 #include "lapilli/scene/identity.hpp"
@@ -196,23 +194,22 @@ void bind_summary(py::module_& module) {
       "__repr__(self: lapilli._core.RunSummary) -> str");
 }
 
-}  // namespace
-
-void bind_run(py::module_& module) {
-  py::register_exception<OutputError>(module, "OutputError", PyExc_OSError).doc() =
-      "A file could not be written or read; the message names the file and the reason.";
-  bind_progress(module);
-  bind_summary(module);
+void bind_texts(py::module_& module) {
+  module.def("readable_time", &readable_time, py::arg("seconds"),
+             "readable_time(seconds: float) -> str\n\n3.2 s, 14 min, 2 h 5 min.");
+  module.def("progress_text", &progress_text, py::arg("progress"),
+             "progress_text(progress: Progress) -> str\n\nTime, step, speed and time left.");
   module.def(
-      "run_simulation", &run_scene, py::arg("simulation"), py::arg("scene"), py::arg("resume"),
-      py::arg("progress"), py::arg("callback"), py::arg("signals") = py::none(),
-      "run_simulation(simulation: Simulation, scene: Scene, resume: bool, progress: "
-      "collections.abc.Callable[[Progress], None] | None, callback: "
-      "collections.abc.Callable[[Simulation], typing.Any] | None, signals: "
-      "collections.abc.Callable[[], None] | None = None) -> RunSummary\n\nRun to the end of the "
-      "scene and leave what its output section asks for. After Ctrl-C, or an error in the callback "
-      "or the progress, the last frame and checkpoint are written before it is raised. `signals` "
-      "is asked between steps to raise those that were held back.");
+      "summary_text",
+      [](const py::object& simulation, const RunSummary& summary, const std::string& output) {
+        return summary_text(simulation.cast<PythonSimulation&>().get(), summary, output);
+      },
+      py::arg("simulation"), py::arg("summary"), py::arg("output"),
+      "summary_text(simulation: Simulation, summary: RunSummary, output: str) -> str\n\nHow a run "
+      "ended, its balances and what its user should know.");
+}
+
+void bind_scene_reports(py::module_& module) {
   module.def(
       "check_text", [](const py::object& scene) { return text_of(checked_scene(scene)); },
       py::arg("scene"),
@@ -226,18 +223,6 @@ void bind_run(py::module_& module) {
              "section, as Markdown tables.");
   module.def("scene_schema", &scene_schema,
              "scene_schema() -> str\n\nThe JSON Schema of scene files.");
-  module.def("readable_time", &readable_time, py::arg("seconds"),
-             "readable_time(seconds: float) -> str\n\n3.2 s, 14 min, 2 h 5 min.");
-  module.def("progress_text", &progress_text, py::arg("progress"),
-             "progress_text(progress: Progress) -> str\n\nTime, step, speed and time left.");
-  module.def(
-      "summary_text",
-      [](const py::object& simulation, const RunSummary& summary, const std::string& output) {
-        return summary_text(simulation.cast<PythonSimulation&>().get(), summary, output);
-      },
-      py::arg("simulation"), py::arg("summary"), py::arg("output"),
-      "summary_text(simulation: Simulation, summary: RunSummary, output: str) -> str\n\nHow a run "
-      "ended, its balances and what its user should know.");
   module.def(
       "unused_settings", [](const py::object& scene) { return unused_settings(scene_of(scene)); },
       py::arg("scene"),
@@ -257,44 +242,31 @@ void bind_run(py::module_& module) {
       "scene_identity(scene: Scene) -> tuple[str, list[str]]\n\nWhat makes a scene the same "
       "problem, arrays and input files by their checksums; and the keys given as functions, which "
       "nothing can compare. End, output and title are left out.");
+}
+
+}  // namespace
+
+void bind_run(py::module_& module) {
+  py::register_exception<OutputError>(module, "OutputError", PyExc_OSError).doc() =
+      "A file could not be written or read; the message names the file and the reason.";
+  bind_progress(module);
+  bind_summary(module);
   module.def(
-      "merge",
-      [](const py::object& from, const py::object& to) {
-        const std::string source = file_name(from), target = file_name(to);
-        const py::gil_scoped_release release;
-        const Interruption interruption(raise_signals);
-        merge(source, target);
-      },
-      py::arg("from_path"), py::arg("to_path"),
-      "merge(from_path: str | os.PathLike[str], to_path: str | os.PathLike[str]) -> "
-      "None\n\nGather a series of frames into one self-contained file.");
-  module.def(
-      "verify",
-      [](const std::string& frames) {
-        const Verification found = [&] {
-          const py::gil_scoped_release release;
-          const Interruption interruption(raise_signals);
-          return verify(frames);
-        }();
-        return py::make_tuple(found.frames, found.whole_frames, found.damages);
-      },
-      py::arg("frames"),
-      "verify(frames: str) -> tuple[int, int, list[str]]\n\nFrames of a run or a merged file, "
-      "those "
-      "of which every number fits its checksum, and what is damaged, checkpoints too.");
-  module.def(
-      "rebuild_index",
-      [](const std::string& frames) {
-        const py::gil_scoped_release release;
-        return rebuild_index(frames);
-      },
-      py::arg("frames"),
-      "rebuild_index(frames: str) -> int\n\nMake a lost or damaged index anew from the data files "
-      "beside it; the number of frames.");
+      "run_simulation", &run_scene, py::arg("simulation"), py::arg("scene"), py::arg("resume"),
+      py::arg("progress"), py::arg("callback"), py::arg("signals") = py::none(),
+      "run_simulation(simulation: Simulation, scene: Scene, resume: bool, progress: "
+      "collections.abc.Callable[[Progress], None] | None, callback: "
+      "collections.abc.Callable[[Simulation], typing.Any] | None, signals: "
+      "collections.abc.Callable[[], None] | None = None) -> RunSummary\n\nRun to the end of the "
+      "scene and leave what its output section asks for. After Ctrl-C, or an error in the callback "
+      "or the progress, the last frame and checkpoint are written before it is raised. `signals` "
+      "is asked between steps to raise those that were held back.");
   module.def("cpu_seconds", &cpu_seconds,
              "cpu_seconds() -> float\n\nProcessor time used by this process.");
   module.def("peak_memory", &peak_memory,
              "peak_memory() -> int\n\nThe most memory this process has used, bytes.");
+  bind_texts(module);
+  bind_scene_reports(module);
 }
 
 }  // namespace lapilli::python

@@ -106,8 +106,35 @@ py::object with_member(const py::object& scene, const std::string& path, const p
   return shown(changed);
 }
 
+const std::string of_scene = "(self: lapilli._core.Scene";
+
+void bind_toml(py::class_<Record<Scene>>& bound) {
+  bound
+      .def(
+          "to_toml",
+          [](const py::object& scene, bool everything) {
+            const Scene made = scene_of(scene);
+            return without_gil(
+                [&] { return to_toml(made, everything ? Members::all : Members::changed); });
+          },
+          py::arg("everything") = false,
+          ("to_toml" + of_scene +
+           ", everything: bool = False) -> str\n\nThe scene as TOML; with defaults filled in if "
+           "`everything`.")
+              .c_str())
+      .def(
+          "to_json",
+          [](const py::object& scene) {
+            const Scene made = scene_of(scene);
+            return without_gil([&] { return to_json(made); });
+          },
+          ("to_json" + of_scene +
+           ") -> str\n\nEvery setting with defaults filled in; functions and arrays are named "
+           "only.")
+              .c_str());
+}
+
 void bind_files(py::class_<Record<Scene>>& bound) {
-  const std::string self = "(self: lapilli._core.Scene";
   bound
       .def_static(
           "load",
@@ -133,35 +160,13 @@ void bind_files(py::class_<Record<Scene>>& bound) {
             without_gil([&] { save_scene(made, name); });
           },
           py::arg("path"),
-          ("save" + self +
+          ("save" + of_scene +
            ", path: str | os.PathLike[str]) -> None\n\nWrite the scene as TOML. Functions and "
            "arrays, which no file "
            "holds, are a ValueError; what cannot be written is an OutputError.")
               .c_str())
-      .def(
-          "to_toml",
-          [](const py::object& scene, bool everything) {
-            const Scene made = scene_of(scene);
-            return without_gil(
-                [&] { return to_toml(made, everything ? Members::all : Members::changed); });
-          },
-          py::arg("everything") = false,
-          ("to_toml" + self +
-           ", everything: bool = False) -> str\n\nThe scene as TOML; with defaults filled in if "
-           "`everything`.")
-              .c_str())
-      .def(
-          "to_json",
-          [](const py::object& scene) {
-            const Scene made = scene_of(scene);
-            return without_gil([&] { return to_json(made); });
-          },
-          ("to_json" + self +
-           ") -> str\n\nEvery setting with defaults filled in; functions and arrays are named "
-           "only.")
-              .c_str())
       .def("set", &with_member, py::arg("path"), py::arg("value") = unset(),
-           ("set" + self +
+           ("set" + of_scene +
             ", path: str, value: typing.Any = ...) -> Scene\n\nA copy with one member changed by "
             "its path: scene.set('grid.cell', 0.05), or as on the command line, "
             "scene.set('grid.cell=0.05').")
@@ -225,6 +230,7 @@ void bind_scene(py::module_& module) {
                          "All that a run computes, as plain data. A section that is absent "
                          "is physics that is not modelled.");
   bind_files(scene);
+  bind_toml(scene);
 }
 
 }  // namespace lapilli::python

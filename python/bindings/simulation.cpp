@@ -166,15 +166,10 @@ void collect_cycles(PyHeapTypeObject* heap_type) {
   };
 }
 
-}  // namespace
+const std::string self = "(self: lapilli._core.Simulation";
+using Bound = py::class_<PythonSimulation>;
 
-void bind_simulation(py::module_& module) {
-  const std::string self = "(self: lapilli._core.Simulation";
-  const std::string array = " -> numpy.typing.NDArray[typing.Any]";
-  py::class_<PythonSimulation> bound(module, "Simulation", py::custom_type_setup(&collect_cycles),
-                                     "A clock, the points and an ordered list of physics, built "
-                                     "from a scene. Stepping releases the GIL.");
-  forbid_copies(bound, "build another one from its scene");
+void bind_stepping(Bound& bound) {
   bound
       .def(py::init([](const py::object& given) {
              FunctionCollector collector;
@@ -200,7 +195,12 @@ void bind_simulation(py::module_& module) {
            "None) -> None\n\nStep until `time`, exactly. After each step `callback(simulation)` "
            "may "
            "return False to stop early.")
-              .c_str())
+              .c_str());
+}
+
+void bind_fields(Bound& bound) {
+  const std::string array = " -> numpy.typing.NDArray[typing.Any]";
+  bound
       .def(
           "__getitem__", &field, py::arg("name"),
           ("__getitem__" + self + ", name: str)" + array +
@@ -216,7 +216,11 @@ void bind_simulation(py::module_& module) {
            ("unit" + self + ", name: str) -> str\n\nThe unit of a field.").c_str())
       .def(
           "__len__", [](PythonSimulation& of) { return of.get().points().size(); },
-          ("__len__" + self + ") -> int\n\nThe number of points.").c_str())
+          ("__len__" + self + ") -> int\n\nThe number of points.").c_str());
+}
+
+void bind_accounts(Bound& bound) {
+  bound
       .def(
           "balance", [](PythonSimulation& of) { return of.get().balances(); },
           ("balance" + self + ") -> list[Balance]\n\nThe account of every conserved quantity.")
@@ -240,6 +244,9 @@ void bind_simulation(py::module_& module) {
             ") -> dict[str, tuple[float, float, str]]\n\nOf each physics the automatic step, the "
             "largest one allowed and why, s.")
                .c_str());
+}
+
+void bind_properties(Bound& bound) {
   const auto property = [&](const char* name, auto get, const std::string& type, const char* text) {
     bound.def_property_readonly(name, py::cpp_function(get, (name + self + ") -> " + type).c_str()),
                                 text);
@@ -265,6 +272,19 @@ void bind_simulation(py::module_& module) {
   property(
       "position", [](const py::object& of) { return field(of, "position"); },
       "numpy.typing.NDArray[numpy.float64]", "positions (points, dimension), a view, m");
+}
+
+}  // namespace
+
+void bind_simulation(py::module_& module) {
+  py::class_<PythonSimulation> bound(module, "Simulation", py::custom_type_setup(&collect_cycles),
+                                     "A clock, the points and an ordered list of physics, built "
+                                     "from a scene. Stepping releases the GIL.");
+  forbid_copies(bound, "build another one from its scene");
+  bind_stepping(bound);
+  bind_fields(bound);
+  bind_accounts(bound);
+  bind_properties(bound);
 }
 
 }  // namespace lapilli::python

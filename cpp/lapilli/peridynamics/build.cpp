@@ -34,6 +34,38 @@ void check_length(const std::vector<double>& given, int dimension, const std::st
           " numbers in a scene of dimension ", dimension);
 }
 
+/// Hold the settings and materials of heat to what they may be; returns its widest horizon, m.
+double check_heat(const PeridynamicScene& scene, const PeridynamicHeatSettings& settings) {
+  check_horizon("thermal", settings.widest_horizon(), scene.spacing);
+  const CheckRanges ranges{"heat"};
+  PeridynamicHeatSettings::describe(*scene.heat, ranges);
+  const Thermal& thermal = scene.fluid.thermal;
+  check(thermal);
+  require(!thermal.varies(),
+          "the thermal material must not depend on the temperature or melt in [peridynamics]");
+  require(thermal.conductivity.constant().is_scalar(),
+          "peridynamic heat conducts alike in all directions: give conductivity as a number");
+  require(!scene.heat->viscous_dissipation || scene.flow,
+          "heat.viscous_dissipation needs a flow; this scene has none");
+  return settings.widest_horizon() * scene.spacing;
+}
+
+/// The same for the flow.
+double check_flow(const PeridynamicScene& scene, int dimension) {
+  const Fluid& fluid = scene.fluid;
+  check_horizon("fluid", scene.flow->horizon, scene.spacing);
+  const CheckRanges ranges{"flow"};
+  PeridynamicFlowSettings::describe(*scene.flow, ranges);
+  check(fluid.newtonian);
+  check_length(scene.flow->gravity, dimension, "flow.gravity");
+  require(scene.heat || fluid.newtonian.thermal_expansion == 0.0,
+          "thermal_expansion of the newtonian material is given, but the scene has no heat");
+  require(!scene.heat || fluid.thermal.density == fluid.newtonian.density,
+          "the fluid has two densities: ", fluid.thermal.density, " of the thermal and ",
+          fluid.newtonian.density, " kg/m^3 of the newtonian material");
+  return scene.flow->horizon * scene.spacing;
+}
+
 }  // namespace
 
 std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
@@ -49,30 +81,10 @@ std::vector<std::unique_ptr<Physics>> build_peridynamics(Points& points,
           scene.spacing);
   double horizon = 0.0;
   if (scene.heat) {
-    const CheckRanges ranges{"heat"};
-    check_horizon("thermal", heat_settings->widest_horizon(), scene.spacing);
-    PeridynamicHeatSettings::describe(*scene.heat, ranges);
-    check(fluid.thermal);
-    require(!fluid.thermal.varies(),
-            "the thermal material must not depend on the temperature or melt in [peridynamics]");
-    require(fluid.thermal.conductivity.constant().is_scalar(),
-            "peridynamic heat conducts alike in all directions: give conductivity as a number");
-    require(!scene.heat->viscous_dissipation || scene.flow,
-            "heat.viscous_dissipation needs a flow; this scene has none");
-    horizon = heat_settings->widest_horizon() * scene.spacing;
+    horizon = check_heat(scene, *heat_settings);
   }
   if (scene.flow) {
-    const CheckRanges ranges{"flow"};
-    check_horizon("fluid", scene.flow->horizon, scene.spacing);
-    PeridynamicFlowSettings::describe(*scene.flow, ranges);
-    check(fluid.newtonian);
-    check_length(scene.flow->gravity, points.dimension(), "flow.gravity");
-    require(scene.heat || fluid.newtonian.thermal_expansion == 0.0,
-            "thermal_expansion of the newtonian material is given, but the scene has no heat");
-    require(!scene.heat || fluid.thermal.density == fluid.newtonian.density,
-            "the fluid has two densities: ", fluid.thermal.density, " of the thermal and ",
-            fluid.newtonian.density, " kg/m^3 of the newtonian material");
-    horizon = std::max(horizon, scene.flow->horizon * scene.spacing);
+    horizon = std::max(horizon, check_flow(scene, points.dimension()));
   }
   for (const FluidWall& wall : scene.walls) {
     check(wall.settings, points.dimension());

@@ -96,16 +96,44 @@ bool Families::update() {
   return search_again;
 }
 
+/// The families of some points that follow each other.
+struct Families::Piece {
+  std::vector<std::int32_t> neighbour;
+  std::vector<Index> size, wall_begin, end;  // by point
+
+  /// Add a point's: neighbours, those in walls last, filled up with itself to whole lanes.
+  void add(Index row, std::span<const std::int32_t> others, std::span<const std::int32_t> wall) {
+    const auto first = static_cast<Index>(neighbour.size());
+    const auto count = [&] { return static_cast<Index>(neighbour.size()) - first; };
+    neighbour.insert(neighbour.end(), others.begin(), others.end());
+    wall_begin.push_back(count());
+    neighbour.insert(neighbour.end(), wall.begin(), wall.end());
+    end.push_back(count());
+    while (count() % lanes::width != 0) {
+      neighbour.push_back(static_cast<std::int32_t>(row));
+    }
+    size.push_back(count());
+  }
+};
+
 void Families::search() {
   const int dimension = points_.dimension();
   const Index rows = points_.size();
-  const double radius = horizon_ + skin_;
   for (Index row = 0; row < rows * dimension; ++row) {
     if (!(std::abs(reference_[row]) < 1e150)) {
       throw RunError(message("position of point ", points_.id()[row / dimension],
                              " is no longer a number: the step is too long for this flow"));
     }
   }
+  join(search_pieces());
+  ordering_ = points_.ordering();
+  ++searches_;
+}
+
+std::vector<Families::Piece> Families::search_pieces() const {
+  const int dimension = points_.dimension();
+  const Index rows = points_.size();
+  const double radius = horizon_ + skin_;
   const CellList cells(reference_.values(), dimension, radius);
   const auto body = points_.body();
   enum class Kind : char { absent, wall, other };
@@ -115,37 +143,30 @@ void Families::search() {
     kind[row] = role.member == Member::absent ? Kind::absent : role.wall ? Kind::wall : Kind::other;
   });
 
-  struct Piece {
-    std::vector<std::int32_t> neighbour, wall;
-    std::vector<Index> size, wall_begin, end;
-  };
   const Index tasks = (rows + search_rows - 1) / search_rows;
   std::vector<Piece> pieces(static_cast<std::size_t>(tasks));
   parallel_tasks(tasks, [&](Index task) {
-    Piece& piece = pieces[task];
+    std::vector<std::int32_t> others, wall;
     for (Index row = task * search_rows; row < std::min(rows, (task + 1) * search_rows); ++row) {
-      const auto first = static_cast<Index>(piece.neighbour.size());
-      piece.wall.clear();
+      others.clear();
+      wall.clear();
       if (roles_[body[row]].member == Member::owner) {
         Vec3 here = Vec3::Zero();
         std::copy_n(reference_.data() + row * dimension, dimension, here.data());
         cells.each_within(here, radius, [&](Index other, double) {
           if (other != row && kind[other] != Kind::absent) {
-            auto& list = kind[other] == Kind::wall ? piece.wall : piece.neighbour;
-            list.push_back(static_cast<std::int32_t>(other));
+            (kind[other] == Kind::wall ? wall : others).push_back(static_cast<std::int32_t>(other));
           }
         });
       }
-      piece.wall_begin.push_back(static_cast<Index>(piece.neighbour.size()) - first);
-      piece.neighbour.insert(piece.neighbour.end(), piece.wall.begin(), piece.wall.end());
-      piece.end.push_back(static_cast<Index>(piece.neighbour.size()) - first);
-      while ((static_cast<Index>(piece.neighbour.size()) - first) % lanes::width != 0) {
-        piece.neighbour.push_back(static_cast<std::int32_t>(row));
-      }
-      piece.size.push_back(static_cast<Index>(piece.neighbour.size()) - first);
+      pieces[task].add(row, others, wall);
     }
   });
+  return pieces;
+}
 
+void Families::join(const std::vector<Piece>& pieces) {
+  const Index rows = points_.size();
   begin_.assign(static_cast<std::size_t>(rows + 1), 0);
   wall_begin_.resize(static_cast<std::size_t>(rows));
   end_.resize(static_cast<std::size_t>(rows));
@@ -159,12 +180,10 @@ void Families::search() {
     largest_ = std::max(largest_, piece.size[k]);
   }
   neighbour_.resize(static_cast<std::size_t>(begin_[rows]));
-  parallel_tasks(tasks, [&](Index task) {
+  parallel_tasks(static_cast<Index>(pieces.size()), [&](Index task) {
     const auto& from = pieces[task].neighbour;
     std::copy(from.begin(), from.end(), neighbour_.begin() + begin_[task * search_rows]);
   });
-  ordering_ = points_.ordering();
-  ++searches_;
 }
 
 std::vector<TaskRange> Families::reach(Index piece_size) const {

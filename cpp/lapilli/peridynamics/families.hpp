@@ -62,7 +62,10 @@ class Families {
   void load(const Archive& archive, const std::string& name);
 
  private:
+  struct Piece;
   void search();
+  std::vector<Piece> search_pieces() const;
+  void join(const std::vector<Piece>& pieces);
   double largest_displacement() const;
 
   Points& points_;

@@ -76,45 +76,16 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
     loads_->add_forces(data_, step.time, step.size);
   }
   const NodeSums nodes = solve_nodes(step);
-  const double load_work = loads_ ? loads_->work() : 0.0;
+  const double load_work_before = loads_ ? loads_->work() : 0.0;
   if (loads_) {
     loads_->book(data_, step.size);
   }
-  PointSums velocities;
-  if (data_.settings.stress_update == StressUpdate::musl) {
-    velocities = update_velocities(data_, step.size);
-    divide_second_velocity(data_);
-    if (contacts_) {
-      contacts_->push_second(data_, step.size);
-    }
-    if (obstacles_) {
-      obstacles_->push_second(data_);
-    }
-    hold_second_velocity(data_);
-    if (data_.moves_with_mean) {
-      take_mean_velocity(data_);
-    }
-  }
-  PointSums sums = update_points(data_, step.size);
-  sums.kinetic += velocities.kinetic;
-  sums.speed = std::max(sums.speed, velocities.speed);
+  const PointSums sums = move_points(step.size);
   stop_if_broken(sums);
   if (sums.outside) {
     find_outside();
   }
-
-  flows_.plastic += sums.plastic;
-  flows_.expansion += sums.expansion;
-  flows_.friction -= nodes.friction;
-  flows_.impact -= nodes.impact;
-  flows_.transfer += (kinetic_ - nodes.kinetic_before) + (nodes.kinetic_after - sums.kinetic);
-  const double internal_work = nodes.force_work - (loads_ ? loads_->work() - load_work : 0.0);
-  flows_.strain -= internal_work + sums.strain_work;
-  flows_.gravity += step.size * total_mass_ * data_.gravity;
-  flows_.walls += nodes.wall_impulse;
-  flows_.damping -= nodes.damping;
-  flows_.damped += nodes.damping_impulse;
-  kinetic_ = sums.kinetic;
+  book(step.size, nodes, sums, loads_ ? loads_->work() - load_work_before : 0.0);
   const double moved = step.size * std::max(speed_, sums.speed);
   drift_ += moved;
   if (obstacles_) {
@@ -129,6 +100,45 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   }
   carry_points();
   return {.accepted = step.size};
+}
+
+template <int Dim>
+PointSums Dynamics<Dim>::move_points(double step) {
+  PointSums velocities;
+  if (data_.settings.stress_update == StressUpdate::musl) {
+    velocities = update_velocities(data_, step);
+    divide_second_velocity(data_);
+    if (contacts_) {
+      contacts_->push_second(data_, step);
+    }
+    if (obstacles_) {
+      obstacles_->push_second(data_);
+    }
+    hold_second_velocity(data_);
+    if (data_.moves_with_mean) {
+      take_mean_velocity(data_);
+    }
+  }
+  PointSums sums = update_points(data_, step);
+  sums.kinetic += velocities.kinetic;
+  sums.speed = std::max(sums.speed, velocities.speed);
+  return sums;
+}
+
+template <int Dim>
+void Dynamics<Dim>::book(double step, const NodeSums& nodes, const PointSums& sums,
+                         double load_work) {
+  flows_.plastic += sums.plastic;
+  flows_.expansion += sums.expansion;
+  flows_.friction -= nodes.friction;
+  flows_.impact -= nodes.impact;
+  flows_.transfer += (kinetic_ - nodes.kinetic_before) + (nodes.kinetic_after - sums.kinetic);
+  flows_.strain -= nodes.force_work - load_work + sums.strain_work;
+  flows_.gravity += step * total_mass_ * data_.gravity;
+  flows_.walls += nodes.wall_impulse;
+  flows_.damping -= nodes.damping;
+  flows_.damped += nodes.damping_impulse;
+  kinetic_ = sums.kinetic;
 }
 
 /// The mean over the step; what the points' potential energy changes by, gravity puts in.
@@ -217,41 +227,6 @@ void Dynamics<Dim>::stop_if_broken(const PointSums& sums) const {
                              " in one step; the step is too large for this deformation"));
     }
   }
-}
-
-template <int Dim>
-void Dynamics<Dim>::start_affine(const DynamicsProblem<Dim>& problem) {
-  if (!data_.affine) {
-    return;
-  }
-  const Grid<Dim>& grid = data_.grid;
-  const double reach = 0.25 * grid.cell_size();
-  with_transfer(data_.shape, data_.settings.transfer,
-                [&]<class Shape, VelocityTransfer transfer>() {
-                  const ShapeOfBody<Shape> shape_of(data_.half_widths);
-                  for (Index row = 0; row < data_.points.size(); ++row) {
-                    const Index body = data_.points.body()[row];
-                    const auto& velocity = problem.bodies[body].velocity;
-                    if (!velocity) {
-                      continue;
-                    }
-                    const AxisWeights<Dim, Shape> axes(grid, shape_of(body),
-                                                       data_.points.position().data() + row * Dim);
-                    Vec3 place = Vec3::Zero();
-                    place.head<Dim>() = data_.points.template position<Dim>(row);
-                    for (int along = 0; along < Dim; ++along) {
-                      const Vec3 to_side = reach * Vec3::Unit(along);
-                      const Vec3 slope =
-                          (velocity(place + to_side) - velocity(place - to_side)) / (2.0 * reach);
-                      const double scale = transfer == VelocityTransfer::apic
-                                               ? second_moment(axes, grid.cell_size(), along)
-                                               : 1.0;
-                      for (int axis = 0; axis < Dim; ++axis) {
-                        (*data_.affine)[row * Dim * Dim + axis * Dim + along] = scale * slope[axis];
-                      }
-                    }
-                  }
-                });
 }
 
 template <int Dim>

@@ -97,11 +97,21 @@ class Dynamics final : public Physics,
   void keep_order(double step);
   void turn_gravity(const Step& step);
   NodeSums solve_nodes(const Step& step);
+  PointSums move_points(double step);
+  /// Enter what a step did into the accounts.
+  void book(double step, const NodeSums& nodes, const PointSums& sums, double load_work);
   double local_damping(double time) const;
   void carry_points();
   void stop_if_broken(const PointSums& sums) const;
   void find_outside();
   void book_waiting(double step);
+  // What a checkpoint keeps, in its order; Self is const to save.
+  template <class Self, class Visit>
+  static void for_each_point_array(Self& self, const Visit& visit);
+  template <class Self, class Visit>
+  static void for_each_part(Self& self, const Visit& visit);
+  template <class Self, class Visit>
+  static void for_each_number(Self& self, const Visit& visit);
   void save_removed(Archive& archive) const;
   void save_setting(Archive& archive) const;
   void load_removed(const Archive& archive);

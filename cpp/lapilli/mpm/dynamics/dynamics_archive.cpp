@@ -5,61 +5,75 @@
 namespace lapilli {
 
 template <int Dim>
-void Dynamics<Dim>::save(Archive& archive) const {
-  const auto keep = [&](const char* name, const PointArray& array) {
-    archive.write(message("dynamics/", name), array.values());
+template <class Self, class Visit>
+void Dynamics<Dim>::for_each_point_array(Self& self, const Visit& visit) {
+  auto& data = self.data_;
+  visit("mass", data.mass);
+  visit("velocity", data.velocity);
+  visit("stress", data.stress);
+  const auto visit_optional = [&](const char* name, const auto& array) {
+    if (array) {
+      visit(name, *array);
+    }
   };
-  keep("mass", data_.mass);
-  keep("velocity", data_.velocity);
-  keep("stress", data_.stress);
-  if (data_.affine) {
-    keep("affine", *data_.affine);
-    keep("carried", *data_.carried);
+  visit_optional("affine", data.affine);
+  visit_optional("carried", data.carried);
+  visit_optional("opened", data.opened);
+  visit_optional("strain_rate", data.strain_rate);
+  visit_optional("deformation", data.deformation);
+  visit_optional("plastic", data.plastic);
+  visit_optional("free_strain", data.free_strain);
+}
+
+template <int Dim>
+template <class Self, class Visit>
+void Dynamics<Dim>::for_each_part(Self& self, const Visit& visit) {
+  visit("dynamics/state/", self.data_.states);
+  visit("dynamics/strips", self.data_.order);
+  if (self.loads_) {
+    visit("dynamics/loads", *self.loads_);
   }
-  if (data_.opened) {
-    keep("opened", *data_.opened);
+  if (self.obstacles_) {
+    visit("dynamics/obstacles", *self.obstacles_);
   }
-  if (data_.strain_rate) {
-    keep("strain_rate", *data_.strain_rate);
+  if (self.contacts_) {
+    visit("dynamics/fields", self.data_.fields);
+    visit("dynamics/contacts", *self.contacts_);
   }
-  if (data_.deformation) {
-    keep("deformation", *data_.deformation);
+  if (self.wall_friction_) {
+    visit("dynamics/walls", *self.wall_friction_);
   }
-  if (data_.plastic) {
-    keep("plastic", *data_.plastic);
+}
+
+template <int Dim>
+template <class Self, class Visit>
+void Dynamics<Dim>::for_each_number(Self& self, const Visit& visit) {
+  auto& flows = self.flows_;
+  for (auto* number : {&flows.plastic, &flows.friction, &flows.strain, &flows.impact,
+                       &flows.transfer, &flows.expansion, &flows.damping, &flows.gravity_changes,
+                       &self.initial_energy_, &self.kinetic_, &self.speed_, &self.wave_speed_,
+                       &self.drift_, &self.total_mass_, &self.strain_rate_, &self.ahead_}) {
+    visit(*number);
   }
-  if (data_.free_strain) {
-    keep("free_strain", *data_.free_strain);
+  for (auto* vector : {&flows.gravity, &flows.walls, &flows.damped, &self.data_.gravity,
+                       &self.initial_momentum_}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      visit((*vector)[axis]);
+    }
   }
-  data_.states.save(archive, "dynamics/state/");
-  data_.order.save(archive, "dynamics/strips");
-  if (loads_) {
-    loads_->save(archive, "dynamics/loads");
-  }
-  if (obstacles_) {
-    obstacles_->save(archive, "dynamics/obstacles");
-  }
-  if (contacts_) {
-    data_.fields.save(archive, "dynamics/fields");
-    contacts_->save(archive, "dynamics/contacts");
-  }
-  if (wall_friction_) {
-    wall_friction_->save(archive, "dynamics/walls");
-  }
-  const double numbers[] = {
-      flows_.plastic,      flows_.friction, flows_.strain,    flows_.impact,
-      flows_.transfer,     initial_energy_, kinetic_,         speed_,
-      wave_speed_,         drift_,          total_mass_,      flows_.expansion,
-      strain_rate_,        watch_.stored(), watch_.largest(), ahead_,
-      watch_.steps_above()};
-  archive.write("dynamics/account", std::span<const double>(numbers));
-  archive.write("dynamics/impulse/gravity", std::span<const double>(flows_.gravity.data(), 3));
-  archive.write("dynamics/impulse/walls", std::span<const double>(flows_.walls.data(), 3));
-  archive.write("dynamics/impulse/damping", std::span<const double>(flows_.damped.data(), 3));
-  archive.write("dynamics/damping", flows_.damping);
-  archive.write("dynamics/gravity", std::span<const double>(data_.gravity.data(), 3));
-  archive.write("dynamics/gravity_changes", flows_.gravity_changes);
-  archive.write("dynamics/impulse/initial", std::span<const double>(initial_momentum_.data(), 3));
+}
+
+template <int Dim>
+void Dynamics<Dim>::save(Archive& archive) const {
+  for_each_point_array(*this, [&](const char* name, const PointArray& array) {
+    archive.write(message("dynamics/", name), array.values());
+  });
+  for_each_part(*this, [&](const char* name, const auto& part) { part.save(archive, name); });
+  std::vector<double> numbers;
+  for_each_number(*this, [&](double number) { numbers.push_back(number); });
+  archive.write("dynamics/account", numbers);
+  archive.write("dynamics/watch", std::vector{watch_.stored(), watch_.largest(),
+                                              static_cast<double>(watch_.steps_above())});
   archive.write("dynamics/open_energy", open_energy_.numbers());
   save_removed(archive);
   save_setting(archive);
@@ -79,70 +93,18 @@ void Dynamics<Dim>::save_setting(Archive& archive) const {
 
 template <int Dim>
 void Dynamics<Dim>::load(const Archive& archive) {
-  const auto fetch = [&](const char* name, PointArray& array) {
+  for_each_point_array(*this, [&](const char* name, PointArray& array) {
     archive.read(message("dynamics/", name), array.values());
-  };
-  fetch("mass", data_.mass);
-  fetch("velocity", data_.velocity);
-  fetch("stress", data_.stress);
-  if (data_.affine) {
-    fetch("affine", *data_.affine);
-    fetch("carried", *data_.carried);
-  }
-  if (data_.opened) {
-    fetch("opened", *data_.opened);
-  }
-  if (data_.strain_rate) {
-    fetch("strain_rate", *data_.strain_rate);
-  }
-  if (data_.deformation) {
-    fetch("deformation", *data_.deformation);
-  }
-  if (data_.plastic) {
-    fetch("plastic", *data_.plastic);
-  }
-  if (data_.free_strain) {
-    fetch("free_strain", *data_.free_strain);
-  }
-  data_.states.load(archive, "dynamics/state/");
-  data_.order.load(archive, "dynamics/strips");
-  if (loads_) {
-    loads_->load(archive, "dynamics/loads");
-  }
-  if (obstacles_) {
-    obstacles_->load(archive, "dynamics/obstacles");
-  }
-  if (contacts_) {
-    data_.fields.load(archive, "dynamics/fields");
-    contacts_->load(archive, "dynamics/contacts");
-  }
-  if (wall_friction_) {
-    wall_friction_->load(archive, "dynamics/walls");
-  }
-  double numbers[17];
+  });
+  for_each_part(*this, [&](const char* name, auto& part) { part.load(archive, name); });
+  std::vector<double> numbers;
+  for_each_number(*this, [&](double) { numbers.push_back(0.0); });
   archive.read("dynamics/account", std::span<double>(numbers));
-  flows_.plastic = numbers[0];
-  flows_.friction = numbers[1];
-  flows_.strain = numbers[2];
-  flows_.impact = numbers[3];
-  flows_.transfer = numbers[4];
-  initial_energy_ = numbers[5];
-  kinetic_ = numbers[6];
-  speed_ = numbers[7];
-  wave_speed_ = numbers[8];
-  drift_ = numbers[9];
-  total_mass_ = numbers[10];
-  flows_.expansion = numbers[11];
-  strain_rate_ = numbers[12];
-  watch_.restore(numbers[13], numbers[14], numbers[16]);
-  ahead_ = numbers[15];
-  archive.read("dynamics/impulse/gravity", std::span<double>(flows_.gravity.data(), 3));
-  archive.read("dynamics/impulse/walls", std::span<double>(flows_.walls.data(), 3));
-  archive.read("dynamics/impulse/damping", std::span<double>(flows_.damped.data(), 3));
-  flows_.damping = archive.read_number("dynamics/damping");
-  archive.read("dynamics/gravity", std::span<double>(data_.gravity.data(), 3));
-  flows_.gravity_changes = archive.read_number("dynamics/gravity_changes");
-  archive.read("dynamics/impulse/initial", std::span<double>(initial_momentum_.data(), 3));
+  auto next = numbers.begin();
+  for_each_number(*this, [&](double& number) { number = *next++; });
+  double watched[3];
+  archive.read("dynamics/watch", std::span<double>(watched));
+  watch_.restore(watched[0], watched[1], watched[2]);
   open_energy_.restore(archive.read_numbers("dynamics/open_energy"));
   load_removed(archive);
   ordering_ = data_.points.ordering();

@@ -115,6 +115,14 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
     half_widths.push_back(shape == ShapeFunction::bspline ? 0.5 : body.half_width);
     materials.emplace_back(body.material, body.label);
   }
+  make_optional_arrays(problem);
+  constexpr double empty_share = 1e-15;  // of a cell full of the lightest material
+  empty_node = empty_share * full_cell(*this);
+  start_points(problem);
+}
+
+template <int Dim>
+void DynamicsData<Dim>::make_optional_arrays(const DynamicsProblem<Dim>& problem) {
   std::vector<char> averaged;
   for (const DynamicsBody& body : problem.bodies) {
     averaged.push_back(averages_dilatation(settings, body.material));
@@ -135,8 +143,10 @@ DynamicsData<Dim>::DynamicsData(Points& of_points, const DynamicsProblem<Dim>& p
   if (nodes.fades()) {
     strain_rate = std::make_unique<PointArray>(points, 1);
   }
-  constexpr double empty_share = 1e-15;  // of a cell full of the lightest material
-  empty_node = empty_share * full_cell(*this);
+}
+
+template <int Dim>
+void DynamicsData<Dim>::start_points(const DynamicsProblem<Dim>& problem) {
   for (Index row = 0; row < points.size(); ++row) {
     const Index number = points.body()[row];
     require(number < static_cast<Index>(problem.bodies.size()), "point ", points.id()[row],

@@ -108,6 +108,12 @@ struct DynamicsData {
   NodeFields<Dim> fields;
   DynamicsNodes<Dim> nodes;
   std::unique_ptr<CellDilatation<Dim>> dilatation;  // null where no body is averaged
+
+ private:
+  /// Of the arrays and operators that only some problems need.
+  void make_optional_arrays(const DynamicsProblem<Dim>& problem);
+  /// Mass, velocity and stress of every point.
+  void start_points(const DynamicsProblem<Dim>& problem);
 };
 
 /// Mass of a cell full of the lightest material, kg.

@@ -96,6 +96,7 @@ class CutCellHeat final : public Physics,
   void step_explicitly(const Step& step);
   double time_since_entry(double time) const;  // of a table, s; infinite where there is no table
   void take_explicit_step(const Step& step);
+  void take_extrapolated_step(const Step& step);
   // Its phases, part by part.
   void conduct(Solved& one, const Step& step);
   /// Weak laws at the start of the step, and what their middle changes; heat by law, J.
@@ -113,9 +114,8 @@ class CutCellHeat final : public Physics,
 
   void number_all_leaders(Solved& one) const;
   void prepare(const Solved& one, System& system, double scale) const;
+  class ThetaStep;
   StepReport advance_implicitly(Solved& one, const Step& step);
-  void take_implicit_step(Solved& one, double begin, double size, double weight,
-                          StepReport& report);
   // Adaptive steps: explicit ones, some in stages, or TR-BDF2.
   struct Stage;
   struct Attempt;

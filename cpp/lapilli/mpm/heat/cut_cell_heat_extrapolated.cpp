@@ -16,22 +16,28 @@ double CutCellHeat<Dim>::time_since_entry(double time) const {
 
 template <int Dim>
 void CutCellHeat<Dim>::step_explicitly(const Step& step) {
-  // One step is late by half of itself: extrapolated where that is more than half a percent of
-  // what has happened since a table had an entry. Under conditions that stay, what it is late by
-  // takes from the error of the cells: on squares the two cancel at a step of h^2 / (6 alpha).
-  constexpr double short_enough = 0.01;
   if (!is_adaptive()) {
     take_explicit_step(step);
     return;
   }
+  // One step is late by half of itself: extrapolated where that is more than half a percent of
+  // what has happened since a table had an entry. Under conditions that stay, what it is late by
+  // takes from the error of the cells: on squares the two cancel at a step of h^2 / (6 alpha).
+  constexpr double short_enough = 0.01;
   const double since = time_since_entry(step.time) + step.size;
-  if (step.size < short_enough * since) {
+  const bool is_short = step.size < short_enough * since;
+  if (is_short) {
     take_explicit_step(step);
-    for (Solved& one : solved_) {
-      watch_curvature(one, step, 1.0);
-    }
-    return;
+  } else {
+    take_extrapolated_step(step);
   }
+  for (Solved& one : solved_) {
+    watch_curvature(one, step, is_short ? 1.0 : std::min(1.0, step.size / since));
+  }
+}
+
+template <int Dim>
+void CutCellHeat<Dim>::take_extrapolated_step(const Step& step) {
   const auto temperatures = [&]() {
     std::vector<std::vector<double>> all;
     for (const Solved& one : solved_) {
@@ -75,13 +81,13 @@ void CutCellHeat<Dim>::step_explicitly(const Step& step) {
     for (std::size_t place = 0; place < now.size(); ++place) {
       one.increment[place] = now[place] - start[k][place];
     }
-    watch_curvature(one, step, std::min(1.0, step.size / since));
   }
 }
 
 #define LAPILLI_INSTANTIATE(Dim)                                    \
   template double CutCellHeat<Dim>::time_since_entry(double) const; \
-  template void CutCellHeat<Dim>::step_explicitly(const Step&);
+  template void CutCellHeat<Dim>::step_explicitly(const Step&);     \
+  template void CutCellHeat<Dim>::take_extrapolated_step(const Step&);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)

@@ -6,158 +6,230 @@
 #include "lapilli/mpm/heat/part_sources.hpp"
 
 namespace lapilli {
+namespace {
+
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+/// Numbers of the nodes of a part by place, -1 for none.
+struct NodeNumbers {
+  std::vector<Index> unknown;  // of those that lead
+  std::vector<Index> any;      // of all that lead or follow
+  Index known = 0;             // how many these are
+};
+
+template <int Dim>
+NodeNumbers number_nodes(const HeatPart<Dim>& part, std::vector<Index>& unknown_place) {
+  const auto size = static_cast<std::size_t>(part.rows->size());
+  NodeNumbers numbers{std::vector<Index>(size, -1), std::vector<Index>(size, -1)};
+  for (const auto& row : part.rows->rows()) {
+    for (Index place = row.shift + row.begin; place < row.shift + row.end; ++place) {
+      if (part.capacity[place] > 0.0) {
+        numbers.unknown[place] = static_cast<Index>(unknown_place.size());
+        unknown_place.push_back(place);
+      }
+      if (part.capacity[place] > 0.0 || part.followers.follows(place)) {
+        numbers.any[place] = numbers.known++;
+      }
+    }
+  }
+  return numbers;
+}
+
+/// Values at all nodes from those at leaders.
+template <int Dim>
+SurfaceTerm::Matrix prolongation_of(const HeatPart<Dim>& part, const NodeNumbers& numbers,
+                                    Eigen::Index leaders) {
+  Entries entries;
+  for (std::size_t place = 0; place < numbers.any.size(); ++place) {
+    const auto row = static_cast<int>(numbers.any[place]);
+    if (numbers.unknown[place] >= 0) {
+      entries.emplace_back(row, static_cast<int>(numbers.unknown[place]), 1.0);
+    } else if (row >= 0) {
+      for (const auto& leader : part.followers.leaders(static_cast<Index>(place))) {
+        entries.emplace_back(row, static_cast<int>(numbers.unknown[leader.place]), leader.weight);
+      }
+    }
+  }
+  SurfaceTerm::Matrix made(numbers.known, leaders);
+  made.setFromTriplets(entries.begin(), entries.end());
+  return made;
+}
+
+/// Picks from values by `number` those of some places.
+SurfaceTerm::Matrix choice_of(std::span<const Index> places, const std::vector<Index>& number,
+                              Eigen::Index count) {
+  Entries entries;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    entries.emplace_back(static_cast<int>(k), static_cast<int>(number[places[k]]), 1.0);
+  }
+  SurfaceTerm::Matrix made(static_cast<Eigen::Index>(places.size()), count);
+  made.setFromTriplets(entries.begin(), entries.end());
+  return made;
+}
+
+}  // namespace
 
 template <int Dim>
 void CutCellHeat<Dim>::number_all_leaders(Solved& one) const {
   using Matrix = SurfaceTerm::Matrix;
   const HeatPart<Dim>& part = one.part;
-  const auto size = static_cast<std::size_t>(part.rows->size());
-  std::vector<Index> any(size, -1), unknown(size, -1);
-  Index known = 0;
   one.all = std::make_unique<System>();
   System& all = *one.all;
-  for (const auto& row : part.rows->rows()) {
-    for (Index place = row.shift + row.begin; place < row.shift + row.end; ++place) {
-      if (part.capacity[place] > 0.0) {
-        unknown[place] = static_cast<Index>(all.unknown_place.size());
-        all.unknown_place.push_back(place);
-      }
-      if (part.capacity[place] > 0.0 || part.followers.follows(place)) {
-        any[place] = known++;
-      }
-    }
-  }
+  const NodeNumbers numbers = number_nodes(part, all.unknown_place);
   const auto count = static_cast<Eigen::Index>(all.unknown_place.size());
-  std::vector<Eigen::Triplet<double>> entries, lower;
-  for (std::size_t place = 0; place < size; ++place) {
-    const auto row = static_cast<int>(any[place]);
-    if (unknown[place] >= 0) {
-      entries.emplace_back(row, static_cast<int>(unknown[place]), 1.0);
-    } else if (row >= 0) {
-      for (const auto& leader : part.followers.leaders(static_cast<Index>(place))) {
-        entries.emplace_back(row, static_cast<int>(unknown[leader.place]), leader.weight);
-      }
-    }
-  }
-  Matrix prolongation(known, count), triangle(known, known);
-  prolongation.setFromTriplets(entries.begin(), entries.end());
-  part.conduction->append_triplets(any, 1.0, lower);
+  const Matrix prolongation = prolongation_of(part, numbers, count);
+  Entries lower;
+  part.conduction->append_triplets(numbers.any, 1.0, lower);
+  Matrix triangle(numbers.known, numbers.known);
   triangle.setFromTriplets(lower.begin(), lower.end());
   const Matrix whole = triangle.template selfadjointView<Eigen::Lower>();
   all.conduction = Matrix(prolongation.transpose()) * Matrix(whole * prolongation);
 
   // The surface counted the nodes near it; now it counts all.
-  std::vector<Eigen::Triplet<double>> renumbered;
-  for (std::size_t k = 0; k < part.unknown_place.size(); ++k) {
-    renumbered.emplace_back(static_cast<int>(k), static_cast<int>(unknown[part.unknown_place[k]]),
-                            1.0);
-  }
-  Matrix choice(static_cast<Eigen::Index>(part.unknown_place.size()), count);
-  choice.setFromTriplets(renumbered.begin(), renumbered.end());
-  std::vector<SurfaceTerm::Part> surface = one.part.surface;
+  const Matrix near = choice_of(part.unknown_place, numbers.unknown, count);
+  std::vector<SurfaceTerm::Part> surface = part.surface;
   for (SurfaceTerm::Part& law : surface) {
-    law.trace = SurfaceTerm::Trace(Matrix(law.trace) * choice);
+    law.trace = SurfaceTerm::Trace(Matrix(law.trace) * near);
   }
   // Weak laws have their couplings in the conduction: at each node the rest is left.
-  const SurfaceTerm::Trace rows(prolongation);
   for (const WeakExchange& weak : one.weak) {
     SurfaceTerm::Part& law = surface[weak.law];
     law.sites.area = weak.area;
     law.sites.hold.clear();
-    std::vector<Eigen::Triplet<double>> here;
-    for (std::size_t k = 0; k < weak.place.size(); ++k) {
-      here.emplace_back(static_cast<int>(k), static_cast<int>(any[weak.place[k]]), 1.0);
-    }
-    SurfaceTerm::Trace nodes(static_cast<Eigen::Index>(weak.place.size()), known);
-    nodes.setFromTriplets(here.begin(), here.end());
-    law.trace = SurfaceTerm::Trace(nodes * rows);
+    law.trace =
+        SurfaceTerm::Trace(choice_of(weak.place, numbers.any, numbers.known) * prolongation);
   }
   all.surface =
       SurfaceTerm(laws_, std::move(surface), count, std::vector<bool>(laws_.size(), false));
 }
 
+/// One step of the theta scheme in one part: C d = dt (-K (T + theta d) + (1 - theta) rate(T) +
+/// theta rate(T + d)) with d the rise of the temperatures T.
 template <int Dim>
-void CutCellHeat<Dim>::take_implicit_step(Solved& one, double begin, double size, double weight,
-                                          StepReport& report) {
+class CutCellHeat<Dim>::ThetaStep {
   using Vector = SurfaceTerm::Vector;
-  System& all = *one.all;
-  const double end = begin + size;
-  const bool linear = is_linear(one);
-  const int iterations_allowed = linear ? 1 : 30;
-  const Vector start = gather(all, one.part.temperature);
-  const Vector capacity = gather(all, one.part.capacity);
-  std::vector<double> nodal(one.part.temperature);
-  const auto sources_at = [&](const Vector& at, double factor, double& sum) {
-    if (one.part.sources.empty()) {
-      return Vector(Vector::Zero(at.size()));
+
+ public:
+  ThetaStep(CutCellHeat& heat, Solved& one, double begin, double size, double theta)
+      : heat_(heat),
+        one_(one),
+        all_(*one.all),
+        begin_(begin),
+        size_(size),
+        theta_(theta),
+        start_(gather(all_, one.part.temperature)),
+        capacity_(gather(all_, one.part.capacity)),
+        none_(Vector::Zero(start_.size())),
+        trial_(start_),
+        known_(none_),
+        sources_(none_),
+        nodal_(one.part.temperature),
+        of_laws_(heat.laws_.size(), 0.0) {}
+
+  /// Returns whether the step was taken: not if it left the range.
+  bool take(StepReport& report) {
+    if (theta_ < 1.0) {
+      evaluate(start_);
+      known_ = (1.0 - theta_) * size_ * all_.surface.force();
+      add_laws((1.0 - theta_) * size_);
+      sources_ = sources_at(start_, 1.0 - theta_, at_start_);
     }
-    scatter(all, at, nodal);
-    one.part.followers.prolong(nodal);
-    std::vector<double> heat(nodal.size(), 0.0);
-    sum = factor * source_heat(one.part, problem_.bodies, nodal, begin, size, heat);
-    return Vector(factor * gather(all, heat));
-  };
-  const Vector none = Vector::Zero(start.size());
-  std::vector<double> of_laws(laws_.size(), 0.0);  // J
-  const auto add_laws = [&](double factor) {
-    for (std::size_t law = 0; law < of_laws.size(); ++law) {
-      of_laws[law] += factor * all.surface.heat(law, none);
+    const Change last = solve(report);
+    scatter(all_, trial_, nodal_);
+    one_.range.restore(one_.part, heat_.range_, nodal_);
+    const TemperatureRange& range = heat_.range_;
+    if (theta_ < 1.0 && one_.range.stray(nodal_, range) > 1e-10 * (range.high - range.low)) {
+      return false;  // beyond what neighbours can take up
     }
-  };
-  // What the start of the step contributes.
-  Vector known = none, sources = none;
-  double source_start = 0.0, source_end = 0.0;
-  if (weight < 1.0) {
-    all.surface.evaluate(laws_, start, begin, end);
-    known = (1.0 - weight) * size * all.surface.force();
-    add_laws((1.0 - weight) * size);
-    sources = sources_at(start, 1.0 - weight, source_start);
+    require_converged(last);
+    report.residual = std::max(report.residual, last.scale > 0.0 ? last.change / last.scale : 0.0);
+    book();
+    return true;
   }
-  Vector trial = start;
-  prepare(one, all, weight * size);
-  double change = 0.0, scale = 0.0;
-  Vector source_now = none;
-  const auto balance = [&]() {
-    return Vector(capacity.cwiseProduct(trial - start) +
-                  size * (all.conduction * (start + weight * (trial - start))));
+
+ private:
+  struct Change {  // K, of the last iteration
+    double change = 0.0, scale = 0.0;
   };
-  for (int iteration = 0; iteration < iterations_allowed; ++iteration) {
-    all.surface.evaluate(laws_, trial, begin, end);
-    source_now = sources_at(trial, weight, source_end);
-    const Vector residual =
-        known + weight * size * all.surface.force() + sources + source_now - balance();
-    const Vector rise = all.solver.solve(all.surface, weight * size, residual);
-    trial += rise;
-    change = rise.cwiseAbs().maxCoeff();
-    scale = trial.cwiseAbs().maxCoeff();
-    report.iterations += std::max(1, all.solver.iterations());
-    if (change <= 1e-13 * scale) {
-      break;
+
+  void evaluate(const Vector& at) {
+    all_.surface.evaluate(heat_.laws_, at, begin_, begin_ + size_);
+  }
+
+  void add_laws(double factor) {
+    for (std::size_t law = 0; law < of_laws_.size(); ++law) {
+      of_laws_[law] += factor * all_.surface.heat(law, none_);
     }
   }
-  scatter(all, trial, nodal);
-  one.range.restore(one.part, range_, nodal);
-  if (weight < 1.0 && one.range.stray(nodal, range_) > 1e-10 * (range_.high - range_.low)) {
-    report.accepted = 0.0;  // beyond what neighbours can take up
-    return;
+
+  /// `factor` times the heat of sources, J; it adds up to `sum`.
+  Vector sources_at(const Vector& at, double factor, double& sum) {
+    if (one_.part.sources.empty()) {
+      return none_;
+    }
+    scatter(all_, at, nodal_);
+    one_.part.followers.prolong(nodal_);
+    std::vector<double> heat(nodal_.size(), 0.0);
+    sum = factor * source_heat(one_.part, heat_.problem_.bodies, nodal_, begin_, size_, heat);
+    return factor * gather(all_, heat);
   }
-  change = linear ? 0.0 : change;  // one solve is the answer
-  if (change > 1e-8 * scale) {
-    throw RunError(message("heat: the theta scheme stalled after ", iterations_allowed,
-                           " iterations, change ", change, " K; take smaller steps"));
+
+  Change solve(StepReport& report) {
+    heat_.prepare(one_, all_, theta_ * size_);
+    const bool linear = heat_.is_linear(one_);
+    Change last;
+    for (int iteration = 0; iteration < (linear ? 1 : iterations_allowed); ++iteration) {
+      evaluate(trial_);
+      const Vector source_now = sources_at(trial_, theta_, at_end_);
+      const Vector taken_up = capacity_.cwiseProduct(trial_ - start_) +
+                              size_ * (all_.conduction * (start_ + theta_ * (trial_ - start_)));
+      const Vector residual =
+          known_ + theta_ * size_ * all_.surface.force() + sources_ + source_now - taken_up;
+      const Vector rise = all_.solver.solve(all_.surface, theta_ * size_, residual);
+      trial_ += rise;
+      last = {rise.cwiseAbs().maxCoeff(), trial_.cwiseAbs().maxCoeff()};
+      report.iterations += std::max(1, all_.solver.iterations());
+      if (last.change <= 1e-13 * last.scale) {
+        break;
+      }
+    }
+    last.change = linear ? 0.0 : last.change;  // one solve is the answer
+    return last;
   }
-  report.residual = std::max(report.residual, scale > 0.0 ? change / scale : 0.0);
-  all.surface.evaluate(laws_, trial, begin, end);
-  add_laws(weight * size);
-  // Laws gave what nodes took up beyond sources: exact where a stiff law leaves a small difference
-  // of large rates.
-  source_ += source_start + source_end;
-  laws_.account().book(of_laws, capacity.dot(trial - start) - (source_start + source_end));
-  for (const Index place : all.unknown_place) {
-    one.part.temperature[place] = nodal[place];
+
+  static void require_converged(const Change& last) {
+    if (last.change > 1e-8 * last.scale) {
+      throw RunError(message("heat: the theta scheme stalled after ", iterations_allowed,
+                             " iterations, change ", last.change, " K; take smaller steps"));
+    }
   }
-  one.part.followers.prolong(one.part.temperature);
-}
+
+  void book() {
+    evaluate(trial_);
+    add_laws(theta_ * size_);
+    // Laws gave what nodes took up beyond sources: exact where a stiff law leaves a small
+    // difference of large rates.
+    heat_.source_ += at_start_ + at_end_;
+    heat_.laws_.account().book(of_laws_, capacity_.dot(trial_ - start_) - (at_start_ + at_end_));
+    for (const Index place : all_.unknown_place) {
+      one_.part.temperature[place] = nodal_[place];
+    }
+    one_.part.followers.prolong(one_.part.temperature);
+  }
+
+  static constexpr int iterations_allowed = 30;
+
+  CutCellHeat& heat_;
+  Solved& one_;
+  System& all_;
+  double begin_, size_, theta_;
+  const Vector start_, capacity_, none_;
+  Vector trial_;
+  Vector known_, sources_;                // J, what laws and sources gave at the start
+  double at_start_ = 0.0, at_end_ = 0.0;  // J, by sources
+  std::vector<double> nodal_;
+  std::vector<double> of_laws_;  // J
+};
 
 template <int Dim>
 StepReport CutCellHeat<Dim>::advance_implicitly(Solved& one, const Step& step) {
@@ -169,21 +241,17 @@ StepReport CutCellHeat<Dim>::advance_implicitly(Solved& one, const Step& step) {
                                 laws_.jumps_within(step.time - step.size, step.time + step.size));
   StepReport report{step.size, 0, 0.0};
   if (!damped) {
-    take_implicit_step(one, step.time, step.size, theta, report);
-    damped = report.accepted == 0.0;
-    report.accepted = step.size;
+    damped = !ThetaStep(*this, one, step.time, step.size, theta).take(report);
   }
   for (int half = 0; half < 2 && damped; ++half) {
     const double size = 0.5 * step.size;
-    take_implicit_step(one, step.time + half * size, size, 1.0, report);
+    ThetaStep(*this, one, step.time + half * size, size, 1.0).take(report);
   }
   return report;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                      \
-  template void CutCellHeat<Dim>::number_all_leaders(Solved&) const;                  \
-  template void CutCellHeat<Dim>::take_implicit_step(Solved&, double, double, double, \
-                                                     StepReport&);                    \
+#define LAPILLI_INSTANTIATE(Dim)                                     \
+  template void CutCellHeat<Dim>::number_all_leaders(Solved&) const; \
   template StepReport CutCellHeat<Dim>::advance_implicitly(Solved&, const Step&);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

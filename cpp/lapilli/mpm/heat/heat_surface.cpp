@@ -43,9 +43,13 @@ NodalAreas<Dim> HeatSurface<Dim>::areas(const Points& points,
                             settings.normal_smoothing, settings.corner_fit);
 }
 
+namespace {
+
+/// Nodes of the body in a cell that is not full, by node.
 template <int Dim>
-NodalAreas<Dim> paper_areas(const Points& points, const HeatProblem<Dim>& problem,
-                            const HeatCoefficients<Dim>& coefficients, const NodalSums<Dim>& sums) {
+std::vector<unsigned char> nodes_beside_free_cells(const Points& points,
+                                                   const HeatProblem<Dim>& problem,
+                                                   const NodalSums<Dim>& sums) {
   const Grid<Dim>& grid = problem.grid;
   std::vector<double> fill(static_cast<std::size_t>(grid.cell_count()), 0.0);
   for (Index row = 0; row < points.size(); ++row) {
@@ -59,8 +63,7 @@ NodalAreas<Dim> paper_areas(const Points& points, const HeatProblem<Dim>& proble
   }
   // A cell filled to exactly eta must not be decided by rounding.
   const double least = problem.settings.surface_fraction * grid.cell_volume() * (1.0 - 1e-9);
-  std::vector<double> area(static_cast<std::size_t>(grid.node_count()), 0.0);
-  std::vector<unsigned char> surface(area.size(), 0);
+  std::vector<unsigned char> surface(static_cast<std::size_t>(grid.node_count()), 0);
   for (Index node = 0; node < grid.node_count(); ++node) {
     const auto at = grid.node_at(node);
     if (sums.fraction[node] <= 0.0) {
@@ -76,6 +79,17 @@ NodalAreas<Dim> paper_areas(const Points& points, const HeatProblem<Dim>& proble
       }
     }
   }
+  return surface;
+}
+
+}  // namespace
+
+template <int Dim>
+NodalAreas<Dim> paper_areas(const Points& points, const HeatProblem<Dim>& problem,
+                            const HeatCoefficients<Dim>& coefficients, const NodalSums<Dim>& sums) {
+  const Grid<Dim>& grid = problem.grid;
+  const std::vector<unsigned char> surface = nodes_beside_free_cells(points, problem, sums);
+  std::vector<double> area(surface.size(), 0.0);
   for (Index row = 0; row < points.size(); ++row) {
     with_shape(problem.shape, coefficients.half_width[points.body()[row]], [&](auto shape) {
       const Weights<Dim, decltype(shape)> weights(grid, shape,

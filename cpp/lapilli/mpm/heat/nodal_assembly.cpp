@@ -17,6 +17,72 @@ void for_each_point(const Points& points, const HeatProblem<Dim>& problem,
   }
 }
 
+/// Adds the share of one point after another to the operators.
+template <int Dim, class Weights>
+class PointOperators {
+  static constexpr int nodes = Weights::nodes;
+
+ public:
+  PointOperators(const Grid<Dim>& grid, NodalOperators<Dim>& made) : grid_(grid), made_(made) {}
+
+  /// K += V grad S . k grad S and, where there is one, M += m S S.
+  void add(const Weights& weights, const Mat<Dim>& conductivity, double capacity) {
+    find_nodes(weights);
+    for (int a = 0; a < nodes; ++a) {
+      flux_[a] = conductivity * slope_[a];
+    }
+    for (int a = 0; a < nodes; ++a) {
+      for (int b = a; b < nodes; ++b) {
+        if (place_[a] >= 0 && place_[b] >= 0) {
+          add_pair(a, b, capacity);
+        }
+      }
+    }
+  }
+
+ private:
+  void find_nodes(const Weights& weights) {
+    int count = 0;
+    double touched = 0.0;
+    Vec<Dim> lost = Vec<Dim>::Zero();
+    weights.for_each_node(grid_, [&](Index node, double s, const Vec<Dim>& g) {
+      const bool active = made_.active[node] != 0;
+      touched += active ? s : 0.0;
+      lost += active ? Vec<Dim>(Vec<Dim>::Zero()) : g;
+      place_[count] = active ? made_.rows->place(node) : -1;
+      value_[count] = s;
+      slope_[count] = g;
+      ++count;
+    });
+    if (!lost.isZero(0.0)) {
+      // The temperature there is what the point has: linear functions slope up to a node that they
+      // do not touch.
+      for (int a = 0; a < nodes; ++a) {
+        slope_[a] += value_[a] / touched * lost;
+      }
+    }
+  }
+
+  void add_pair(int a, int b, double capacity) {
+    std::array<int, Dim> step;
+    for (int axis = 0, from = a, to = b; axis < Dim; ++axis) {
+      step[axis] = to % Weights::support - from % Weights::support;
+      from /= Weights::support;
+      to /= Weights::support;
+    }
+    made_.conduction->add(place_[a], step, slope_[a].dot(flux_[b]));
+    if (made_.capacity) {
+      made_.capacity->add(place_[a], step, capacity * value_[a] * value_[b]);
+    }
+  }
+
+  const Grid<Dim>& grid_;
+  NodalOperators<Dim>& made_;
+  std::array<Index, nodes> place_;
+  std::array<double, nodes> value_;
+  std::array<Vec<Dim>, nodes> slope_, flux_;
+};
+
 }  // namespace
 
 template <int Dim>
@@ -51,53 +117,9 @@ NodalOperators<Dim> assemble_operators(const Points& points, const HeatProblem<D
   }
   for_each_point(points, problem, coefficients, [&](Index row, const auto& weights) {
     using PointWeights = std::remove_cvref_t<decltype(weights)>;
-    std::array<Index, PointWeights::nodes> place;
-    std::array<std::array<int, Dim>, PointWeights::nodes> at;
-    std::array<double, PointWeights::nodes> value;
-    std::array<Vec<Dim>, PointWeights::nodes> slope, flux;
-    const Mat<Dim> conductivity =
-        points.volume()[row] * coefficients.conductivity[points.body()[row]];
-    int count = 0;
-    double touched = 0.0;
-    Vec<Dim> lost = Vec<Dim>::Zero();
-    weights.for_each_node(grid, [&](Index node, double s, const Vec<Dim>& g) {
-      if (active[node] != 0) {
-        touched += s;
-      } else {
-        lost += g;
-      }
-      place[count] = active[node] != 0 ? made.rows->place(node) : -1;
-      for (int axis = 0, rest = count; axis < Dim; ++axis, rest /= PointWeights::support) {
-        at[count][axis] = rest % PointWeights::support;
-      }
-      value[count] = s;
-      slope[count] = g;
-      flux[count] = conductivity * g;
-      ++count;
-    });
-    if (!lost.isZero(0.0)) {
-      // The temperature there is what the point has: linear functions slope up to a node that they
-      // do not touch.
-      for (int a = 0; a < count; ++a) {
-        slope[a] += value[a] / touched * lost;
-        flux[a] = conductivity * slope[a];
-      }
-    }
-    for (int a = 0; a < count; ++a) {
-      for (int b = a; b < count; ++b) {
-        if (place[a] < 0 || place[b] < 0) {
-          continue;
-        }
-        std::array<int, Dim> step;
-        for (int axis = 0; axis < Dim; ++axis) {
-          step[axis] = at[b][axis] - at[a][axis];
-        }
-        made.conduction->add(place[a], step, slope[a].dot(flux[b]));
-        if (with_capacity) {
-          made.capacity->add(place[a], step, capacity[row] * value[a] * value[b]);
-        }
-      }
-    }
+    PointOperators<Dim, PointWeights>(grid, made)
+        .add(weights, points.volume()[row] * coefficients.conductivity[points.body()[row]],
+             capacity[row]);
   });
   return made;
 }

@@ -59,6 +59,7 @@ void NodalHeat<Dim>::assemble() {
     inverse_[place] = lumped_[place] > 0.0 ? 1.0 / lumped_[place] : 0.0;
   }
 
+  const auto is_active = [&](Index node) { return operators.active[node] != 0; };
   std::vector<double> unused;
   const std::vector<double> nodal =
       map_initial(points_, problem_, coefficients_, capacity, start,
@@ -66,7 +67,7 @@ void NodalHeat<Dim>::assemble() {
   temperature_.assign(lumped_.size(), 0.0);
   increment_.assign(lumped_.size(), 0.0);
   for (Index node = 0; node < grid.node_count(); ++node) {
-    if (operators.active[node] != 0) {
+    if (is_active(node)) {
       temperature_[rows_->place(node)] = nodal[node];
     } else {
       sums.fraction[node] = 0.0;
@@ -81,34 +82,37 @@ void NodalHeat<Dim>::assemble() {
     std::copy(start.begin(), start.end(), start_->data());
   }
 
-  const auto place_of = [&](Index node) { return rows_->place(node); };
   if (!laws_.empty()) {
-    HeatSurface<Dim> surface(points_, problem_);
-    const NodalAreas<Dim> areas = surface.areas(points_, coefficients_, sums);
-    negative_share_ = areas.negative_share();
-    laws_.assign(grid, areas, [&] {
-      return surface_places<Dim>(grid, points_, problem_.shape, coefficients_.half_width, areas,
-                                 problem_.walls);
-    });
-    laws_.require_all_used();
-    if (laws_.has_held_temperature()) {
-      const auto is_active = [&](Index node) { return operators.active[node] != 0; };
-      laws_.place_probes(grid, is_active,
-                         nodal_conductivity(points_, problem_, coefficients_, sums));
-    }
-    laws_.renumber(place_of);
+    assign_laws(sums, is_active);
   }
   if (HeatSource<Dim>::is_present(problem_.bodies)) {
     source_.emplace(problem_.bodies);
     source_->assign(points_, problem_, coefficients_.half_width);
-    source_->renumber(
-        [&](Index node) { return operators.active[node] != 0 ? rows_->place(node) : Index{-1}; });
+    source_->renumber([&](Index node) { return is_active(node) ? rows_->place(node) : Index{-1}; });
   }
   if (problem_.settings.time_integration == TimeIntegration::implicit_theta) {
     theta_ =
         std::make_unique<ThetaSolver<Dim>>(*rows_, *conduction_, lumped_, problem_.settings.solver);
   }
   initial_ = balances().front().stored;
+}
+
+template <int Dim>
+void NodalHeat<Dim>::assign_laws(const NodalSums<Dim>& sums,
+                                 const std::function<bool(Index)>& is_active) {
+  const Grid<Dim>& grid = problem_.grid;
+  HeatSurface<Dim> surface(points_, problem_);
+  const NodalAreas<Dim> areas = surface.areas(points_, coefficients_, sums);
+  negative_share_ = areas.negative_share();
+  laws_.assign(grid, areas, [&] {
+    return surface_places<Dim>(grid, points_, problem_.shape, coefficients_.half_width, areas,
+                               problem_.walls);
+  });
+  laws_.require_all_used();
+  if (laws_.has_held_temperature()) {
+    laws_.place_probes(grid, is_active, nodal_conductivity(points_, problem_, coefficients_, sums));
+  }
+  laws_.renumber([&](Index node) { return rows_->place(node); });
 }
 
 template <int Dim>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -39,6 +40,8 @@ class NodalHeat final : public Physics, public HasSurface {
 
  private:
   void assemble();
+  /// Find the surface and the nodes of each condition.
+  void assign_laws(const NodalSums<Dim>& sums, const std::function<bool(Index)>& is_active);
   void bound_step();
   void find_self_heating(double time);
 
@@ -46,8 +49,9 @@ class NodalHeat final : public Physics, public HasSurface {
   void conduct(double step);
   void exchange_with_surroundings(const Step& step);
   void hand_back_to_points();
-  using LawRates = std::vector<std::vector<double>>;  // by law and node
 
+  using LawRates = std::vector<std::vector<double>>;  // by law and node
+  class ThetaStep;
   StepReport advance_implicitly(const Step& step);
   /// Book the heat that nodes were `given`, that of shared nodes as each law gave `heat`.
   void book_laws(std::vector<double>& given, const LawRates& heat);

@@ -29,6 +29,140 @@ void NodalHeat<Dim>::book_laws(std::vector<double>& given, const LawRates& heat)
   }
 }
 
+/// One step of the theta scheme: C d = dt (-K (T + theta d) + (1 - theta) rate(T) + theta rate(T +
+/// d)) with d the rise of the temperatures T.
+template <int Dim>
+class NodalHeat<Dim>::ThetaStep {
+ public:
+  ThetaStep(NodalHeat& heat, double begin, double size, double theta)
+      : heat_(heat),
+        begin_(begin),
+        end_(begin + size),
+        size_(size),
+        theta_(theta),
+        trial_(heat.temperature_),
+        known_(trial_.size(), 0.0),
+        sources_(known_),
+        residual_(known_),
+        middle_(known_) {
+    for (const auto& n : heat.laws_.nodes()) {
+      of_laws_.emplace_back(n.node.size(), 0.0);
+    }
+  }
+
+  void take(StepReport& report) {
+    if (theta_ < 1.0) {
+      add_laws((1.0 - theta_) * size_, known_);
+      add_rates((1.0 - theta_) * size_);
+      add_sources((1.0 - theta_) * size_, sources_);
+    }
+    solve(report);
+    add_sources(theta_ * size_, sources_);
+    book();
+    heat_.temperature_ = trial_;
+  }
+
+ private:
+  void add_laws(double factor, std::span<double> to) {
+    heat_.laws_.evaluate(trial_, begin_, end_);
+    for (const auto& n : heat_.laws_.nodes()) {
+      for (std::size_t k = 0; k < n.node.size(); ++k) {
+        to[n.node[k]] += factor * n.rate[k];
+      }
+    }
+  }
+
+  void add_sources(double factor, std::span<double> to) {
+    if (heat_.source_) {
+      heat_.source_->for_each(trial_, begin_, end_,
+                              [&](Index place, double rate) { to[place] += factor * rate; });
+    }
+  }
+
+  /// The rates that laws had last, to the heat that each gave.
+  void add_rates(double factor) {
+    for (std::size_t law = 0; law < of_laws_.size(); ++law) {
+      for (std::size_t k = 0; k < of_laws_[law].size(); ++k) {
+        of_laws_[law][k] += factor * heat_.laws_.nodes()[law].rate[k];
+      }
+    }
+  }
+
+  /// Call body(place, C d + dt K (T + theta d)): the heat that a node took up and handed on.
+  template <class Body>
+  void for_each_balance(const Body& body) {
+    const std::vector<double>& start = heat_.temperature_;
+    for (std::size_t place = 0; place < trial_.size(); ++place) {
+      middle_[place] = start[place] + theta_ * (trial_[place] - start[place]);
+    }
+    heat_.conduction_->multiply(middle_.data(), [&](Index place, int count, const auto& product) {
+      for (int k = 0; k < count; ++k) {
+        const Index at = place + k;
+        body(at, heat_.lumped_[at] * (trial_[at] - start[at]) + size_ * product[k]);
+      }
+    });
+  }
+
+  void find_residual() {
+    residual_ = known_;
+    add_laws(theta_ * size_, residual_);
+    for (std::size_t place = 0; place < trial_.size(); ++place) {
+      residual_[place] += sources_[place];
+    }
+    add_sources(theta_ * size_, residual_);
+    for_each_balance([&](Index place, double heat) { residual_[place] -= heat; });
+  }
+
+  void solve(StepReport& report) {
+    const bool linear =
+        heat_.laws_.is_linear() && !(heat_.source_ && heat_.source_->depends_on_state());
+    const int iterations_allowed = linear ? 1 : 30;
+    double scale = 0.0, change = 0.0;
+    for (int iteration = 0; iteration < iterations_allowed; ++iteration) {
+      find_residual();
+      heat_.theta_->prepare(theta_ * size_, heat_.laws_);
+      heat_.theta_->solve(residual_, heat_.increment_);
+      change = scale = 0.0;
+      for (std::size_t place = 0; place < trial_.size(); ++place) {
+        trial_[place] += heat_.increment_[place];
+        change = std::max(change, std::abs(heat_.increment_[place]));
+        scale = std::max(scale, std::abs(trial_[place]));
+      }
+      ++report.iterations;
+      if (change <= 1e-13 * scale) {
+        break;
+      }
+    }
+    change = linear ? 0.0 : change;  // one solve is the answer
+    if (change > 1e-8 * scale) {
+      throw RunError(message("heat: the theta scheme stalled after ", iterations_allowed,
+                             " iterations, change ", change, " K; take smaller steps"));
+    }
+    report.residual = std::max(report.residual, scale > 0.0 ? change / scale : 0.0);
+  }
+
+  /// A law gave its nodes what they took up beyond conduction and sources: exact where a stiff law
+  /// leaves a small difference of large rates. Where laws share a node, each gave by its rate and
+  /// the last one the rest.
+  void book() {
+    for_each_balance([&](Index place, double heat) { residual_[place] = heat - sources_[place]; });
+    heat_.laws_.evaluate(trial_, begin_, end_);
+    add_rates(theta_ * size_);
+    heat_.book_laws(residual_, of_laws_);
+    if (heat_.source_) {
+      heat_.source_->book(std::accumulate(sources_.begin(), sources_.end(), 0.0));
+    }
+  }
+
+  NodalHeat& heat_;
+  double begin_, end_, size_, theta_;
+  std::vector<double> trial_;
+  std::vector<double> known_;    // J, what laws gave at the start of the step
+  std::vector<double> sources_;  // J
+  std::vector<double> residual_, middle_;
+  LawRates of_laws_;  // J over the step
+};
+
 template <int Dim>
 StepReport NodalHeat<Dim>::advance_implicitly(const Step& step) {
   // The two steps after the start and after every jump of a table are taken as backward Euler
@@ -39,104 +173,10 @@ StepReport NodalHeat<Dim>::advance_implicitly(const Step& step) {
       theta < 1.0 &&
       (step.index < 2 || in_time_.jumps_within(step.time - step.size, step.time + step.size));
   const int parts = damped ? 2 : 1;
-  const double size = step.size / parts, weight = damped ? 1.0 : theta;
-  const bool linear = laws_.is_linear() && !(source_ && source_->depends_on_state());
-  const int iterations_allowed = linear ? 1 : 30;
+  const double size = step.size / parts;
   StepReport report{step.size, 0, 0.0};
-  std::vector<double> residual(temperature_.size()), known(temperature_.size());
-  std::vector<double> trial(temperature_.size()), middle(temperature_.size());
-  std::vector<double> sources(temperature_.size());
   for (int part = 0; part < parts; ++part) {
-    const double begin = step.time + part * size, end = begin + size;
-    // What the start of the step contributes, sources apart.
-    std::fill(known.begin(), known.end(), 0.0);
-    std::fill(sources.begin(), sources.end(), 0.0);
-    const auto add_laws = [&](double factor, std::span<double> to) {
-      laws_.evaluate(trial, begin, end);
-      for (const auto& n : laws_.nodes()) {
-        for (std::size_t k = 0; k < n.node.size(); ++k) {
-          to[n.node[k]] += factor * n.rate[k];
-        }
-      }
-    };
-    const auto add_sources = [&](double factor, std::span<double> to) {
-      if (source_) {
-        source_->for_each(trial, begin, end,
-                          [&](Index place, double rate) { to[place] += factor * rate; });
-      }
-    };
-    // C (trial - T) + dt K (T + theta (trial - T)): the heat a node took up and handed on.
-    const auto balance = [&](const auto& body) {
-      for (std::size_t place = 0; place < trial.size(); ++place) {
-        middle[place] = temperature_[place] + weight * (trial[place] - temperature_[place]);
-      }
-      conduction_->multiply(middle.data(), [&](Index place, int count, const auto& product) {
-        for (int k = 0; k < count; ++k) {
-          const Index at = place + k;
-          body(at, lumped_[at] * (trial[at] - temperature_[at]) + size * product[k]);
-        }
-      });
-    };
-    LawRates of_laws;  // J over the step
-    for (const auto& n : laws_.nodes()) {
-      of_laws.emplace_back(n.node.size(), 0.0);
-    }
-    const auto add_rates = [&](double factor) {
-      for (std::size_t law = 0; law < of_laws.size(); ++law) {
-        for (std::size_t k = 0; k < of_laws[law].size(); ++k) {
-          of_laws[law][k] += factor * laws_.nodes()[law].rate[k];
-        }
-      }
-    };
-    trial = temperature_;
-    if (weight < 1.0) {
-      add_laws((1.0 - weight) * size, known);
-      add_rates((1.0 - weight) * size);
-      add_sources((1.0 - weight) * size, sources);
-    }
-    double scale = 0.0, change = 0.0;
-    for (int iteration = 0; iteration < iterations_allowed; ++iteration) {
-      // residual = dt (-K (T + theta d) + (1 - theta) rate(T) + theta rate(T + d)) - C d
-      residual = known;
-      add_laws(weight * size, residual);
-      for (std::size_t place = 0; place < trial.size(); ++place) {
-        residual[place] += sources[place];
-      }
-      add_sources(weight * size, residual);
-      balance([&](Index place, double heat) { residual[place] -= heat; });
-      theta_->prepare(weight * size, laws_);
-      theta_->solve(residual, increment_);
-      change = scale = 0.0;
-      for (std::size_t place = 0; place < trial.size(); ++place) {
-        trial[place] += increment_[place];
-        change = std::max(change, std::abs(increment_[place]));
-        scale = std::max(scale, std::abs(trial[place]));
-      }
-      ++report.iterations;
-      if (change <= 1e-13 * scale) {
-        break;
-      }
-    }
-    if (linear) {
-      change = 0.0;  // one solve is the answer
-    }
-    if (change > 1e-8 * scale) {
-      throw RunError(message("heat: the theta scheme stalled after ", iterations_allowed,
-                             " iterations, change ", change, " K; take smaller steps"));
-    }
-    report.residual = std::max(report.residual, scale > 0.0 ? change / scale : 0.0);
-    add_sources(weight * size, sources);
-    // A law gave its nodes what they took up beyond conduction and sources: exact where a stiff law
-    // leaves a small difference of large rates. Where laws share a node, each gave by its rate and
-    // the last one the rest.
-    balance([&](Index place, double heat) { residual[place] = heat - sources[place]; });
-    laws_.evaluate(trial, begin, end);
-    add_rates(weight * size);
-    book_laws(residual, of_laws);
-    if (source_) {
-      source_->book(std::accumulate(sources.begin(), sources.end(), 0.0));
-    }
-    temperature_ = trial;
+    ThetaStep(*this, step.time + part * size, size, damped ? 1.0 : theta).take(report);
   }
   return report;
 }

@@ -116,6 +116,35 @@ void trace_pieces(const HeatProblem<Dim>& problem, const std::vector<PiecesOfBod
   }
 }
 
+/// Whether the bodies of a part start at one temperature.
+template <int Dim>
+bool starts_even(const HeatProblem<Dim>& problem, const std::vector<std::size_t>& bodies) {
+  const Value& first = problem.bodies[bodies.front()].temperature;
+  return std::ranges::all_of(bodies, [&](std::size_t body) {
+    const Value& one = problem.bodies[body].temperature;
+    return !one.is_function() && one.at(0.0) == first.at(0.0);
+  });
+}
+
+/// The volume of every body at every place, where capacities are not constant.
+template <int Dim>
+void store_volumes(const HeatProblem<Dim>& problem, const std::vector<std::vector<double>>& volume,
+                   HeatPart<Dim>& part) {
+  part.volume.clear();
+  if (!is_nonlinear(problem)) {
+    return;
+  }
+  for (std::size_t k = 0; k < part.bodies.size(); ++k) {
+    std::vector<double>& own = part.volume.emplace_back(part.capacity.size(), 0.0);
+    for (Index node = 0; node < problem.grid.node_count(); ++node) {
+      if (volume[k][node] > 0.0) {
+        own[part.rows->place(node)] = volume[k][node];
+      }
+    }
+    part.followers.restrict_to_leaders(own);
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -174,12 +203,7 @@ void store_heat(const HeatProblem<Dim>& problem, const std::vector<std::vector<d
   part.capacity.assign(size, 0.0);
   part.temperature.assign(size, 0.0);
   part.sources.clear();
-  bool uniform = true;
-  const Value& first = problem.bodies[part.bodies.front()].temperature;
-  for (const std::size_t body : part.bodies) {
-    const Value& one = problem.bodies[body].temperature;
-    uniform = uniform && !one.is_function() && one.at(0.0) == first.at(0.0);
-  }
+  const bool uniform = starts_even(problem, part.bodies);
   for (std::size_t k = 0; k < part.bodies.size(); ++k) {
     const std::size_t number = part.bodies[k];
     const HeatBody& body = problem.bodies[number];
@@ -210,21 +234,11 @@ void store_heat(const HeatProblem<Dim>& problem, const std::vector<std::vector<d
   for (std::size_t place = 0; place < size; ++place) {
     if (part.capacity[place] > 0.0) {
       double& value = part.temperature[place];
-      value = uniform ? first.at(0.0) : value / part.capacity[place];
+      value = uniform ? problem.bodies[part.bodies.front()].temperature.at(0.0)
+                      : value / part.capacity[place];
     }
   }
-  part.volume.clear();
-  if (is_nonlinear(problem)) {
-    for (std::size_t k = 0; k < part.bodies.size(); ++k) {
-      std::vector<double>& own = part.volume.emplace_back(size, 0.0);
-      for (Index node = 0; node < problem.grid.node_count(); ++node) {
-        if (volume[k][node] > 0.0) {
-          own[part.rows->place(node)] = volume[k][node];
-        }
-      }
-      part.followers.restrict_to_leaders(own);
-    }
-  }
+  store_volumes(problem, volume, part);
   part.followers.restrict_to_leaders(part.capacity);
   part.followers.prolong(part.temperature);
 }

@@ -4,46 +4,64 @@
 #include <unordered_map>
 
 namespace lapilli {
+namespace {
 
+/// Points in bins of the size of the largest point's box: a free face has no point in the box
+/// beyond it.
 template <int Dim>
-NodalAreas<Dim> particle_areas(const Points& points, const HeatProblem<Dim>& problem) {
-  // Bins of the size of a point's box: a free face has no point in the box beyond it.
-  double spacing = 0.0;
-  for (Index row = 0; row < points.size(); ++row) {
-    spacing = std::max(spacing, std::pow(points.volume()[row], 1.0 / Dim));
-  }
-  const Vec<Dim> origin = problem.grid.origin();
-  const auto bin_of = [&](const Vec<Dim>& x) {
-    Index bin = 0;
-    for (int axis = Dim - 1; axis >= 0; --axis) {
-      bin = (bin << 20) + static_cast<Index>((x[axis] - origin[axis]) / spacing) + 4;
+class PointBins {
+ public:
+  PointBins(const Points& points, const Vec<Dim>& origin) : points_(points), origin_(origin) {
+    for (Index row = 0; row < points.size(); ++row) {
+      size_ = std::max(size_, std::pow(points.volume()[row], 1.0 / Dim));
     }
-    return bin;
-  };
-  std::unordered_map<Index, std::vector<Index>> bins;
-  for (Index row = 0; row < points.size(); ++row) {
-    bins[bin_of(points.position<Dim>(row))].push_back(row);
+    for (Index row = 0; row < points.size(); ++row) {
+      bins_[bin_of(points.position<Dim>(row))].push_back(row);
+    }
   }
-  const auto occupied = [&](const Vec<Dim>& centre, Index self, double half) {
+
+  /// Whether a point but `self` lies in the box about `centre`.
+  bool is_occupied(const Vec<Dim>& centre, Index self, double half) const {
     constexpr int block = Dim == 1 ? 3 : Dim == 2 ? 9 : 27;
     for (int b = 0; b < block; ++b) {
       Vec<Dim> at = centre;
       for (int axis = 0, rest = b; axis < Dim; ++axis, rest /= 3) {
-        at[axis] += (rest % 3 - 1) * spacing;
+        at[axis] += (rest % 3 - 1) * size_;
       }
-      const auto found = bins.find(bin_of(at));
-      if (found == bins.end()) {
+      const auto found = bins_.find(bin_of(at));
+      if (found == bins_.end()) {
         continue;
       }
       for (const Index other : found->second) {
-        if (other != self &&
-            (points.position<Dim>(other) - centre).cwiseAbs().maxCoeff() < half * 1.001) {
+        const Vec<Dim> way = points_.position<Dim>(other) - centre;
+        if (other != self && way.cwiseAbs().maxCoeff() < half * 1.001) {
           return true;
         }
       }
     }
     return false;
-  };
+  }
+
+ private:
+  Index bin_of(const Vec<Dim>& x) const {
+    Index bin = 0;
+    for (int axis = Dim - 1; axis >= 0; --axis) {
+      bin = (bin << 20) + static_cast<Index>((x[axis] - origin_[axis]) / size_) + 4;
+    }
+    return bin;
+  }
+
+  const Points& points_;
+  Vec<Dim> origin_;
+  double size_ = 0.0;
+  std::unordered_map<Index, std::vector<Index>> bins_;
+};
+
+}  // namespace
+
+template <int Dim>
+NodalAreas<Dim> particle_areas(const Points& points, const HeatProblem<Dim>& problem) {
+  const PointBins<Dim> bins(points, problem.grid.origin());
   NodalAreas<Dim> areas;
   for (Index row = 0; row < points.size(); ++row) {
     const Vec<Dim> x = points.position<Dim>(row);
@@ -55,7 +73,7 @@ NodalAreas<Dim> particle_areas(const Points& points, const HeatProblem<Dim>& pro
       for (const int side : {-1, 1}) {
         Vec<Dim> beyond = x;
         beyond[axis] += side * size;
-        if (!occupied(beyond, row, 0.5 * size)) {
+        if (!bins.is_occupied(beyond, row, 0.5 * size)) {
           open[axis] += side;
           ++faces;
         }

@@ -45,21 +45,34 @@ void MeanDilatation<Dim>::build(const Grid<Dim>& grid, std::span<const double> p
   if (std::none_of(body.begin(), body.end(), [&](Index one) { return averaged[one] != 0; })) {
     return;
   }
+  start_.assign(weights.size(), -1);
+  Index room = 0;
+  for (Index p = 0; p < weights.size(); ++p) {
+    if (averaged[body[p]]) {
+      start_[p] = room;
+      room += weights.node_count(p);
+    }
+  }
+  of_point_.assign(room, Vec<Dim>::Zero());
   const auto each_part = [&](Index p, const auto& visit) {
     const Vec<Dim> place = Eigen::Map<const Vec<Dim>>(position.data() + Dim * p);
     const double* width = half_width.empty() ? nullptr : half_width.data() + Dim * p;
     for_each_part(grid, weights.box(p), place, width, visit);
   };
-  start_.assign(weights.size(), -1);
+  average_cells(grid, volume, each_part);
+  hand_to_points(grid, weights, each_part);
+}
+
+template <int Dim>
+template <class EachPart>
+void MeanDilatation<Dim>::average_cells(const Grid<Dim>& grid, std::span<const double> volume,
+                                        const EachPart& each_part) {
   row_.assign(grid.cell_count(), -1);
   std::vector<double> weight;
-  Index room = 0;
-  for (Index p = 0; p < weights.size(); ++p) {
-    if (!averaged[body[p]]) {
+  for (Index p = 0; p < static_cast<Index>(start_.size()); ++p) {
+    if (start_[p] < 0) {
       continue;
     }
-    start_[p] = room;
-    room += weights.node_count(p);
     each_part(p, [&](Index cell, double share, const Vec<Dim>& middle) {
       if (row_[cell] < 0) {
         row_[cell] = static_cast<Index>(weight.size());
@@ -83,7 +96,12 @@ void MeanDilatation<Dim>::build(const Grid<Dim>& grid, std::span<const double> p
   for (std::size_t row = 0; row < middle_.size(); ++row) {
     middle_[row] /= std::max(weight[row], 1e-300);
   }
-  of_point_.assign(room, Vec<Dim>::Zero());
+}
+
+template <int Dim>
+template <class EachPart>
+void MeanDilatation<Dim>::hand_to_points(const Grid<Dim>& grid, const PointWeights<Dim>& weights,
+                                         const EachPart& each_part) {
   arm_.assign(weights.size(), Vec<Dim>::Zero());
   middle_of_point_ = arm_;
   for (Index p = 0; p < weights.size(); ++p) {

@@ -45,6 +45,14 @@ class MeanDilatation {
  private:
   static constexpr Index nodes = 1 << Dim;
 
+  /// `each_part`(point, visit) calls visit(cell, share, middle) for the parts of a point's domain.
+  template <class EachPart>
+  void average_cells(const Grid<Dim>& grid, std::span<const double> volume,
+                     const EachPart& each_part);
+  template <class EachPart>
+  void hand_to_points(const Grid<Dim>& grid, const PointWeights<Dim>& weights,
+                      const EachPart& each_part);
+
   std::vector<Index> start_;  // of every point, -1: not averaged
   std::vector<Vec<Dim>> of_point_;
   std::vector<Index> row_;  // of every cell, -1: nothing averaged

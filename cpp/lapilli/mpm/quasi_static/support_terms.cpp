@@ -84,90 +84,126 @@ struct Constraint {
   }
 };
 
+/// The integrals of Nitsche's method over one facet, point by point.
+template <int Dim>
+class FacetSums {
+  static constexpr int nodes = SupportTerm<Dim>::nodes, width = nodes * Dim;
+  using Rows = Eigen::Matrix<double, Dim, width>;
+
+ public:
+  FacetSums(const Grid<Dim>& grid, const CellState<Dim>& state, const Facet<Dim>& facet,
+            HeldMotion kind, const SupportScheme& scheme)
+      : grid_(grid),
+        facet_(facet),
+        kind_(kind),
+        scheme_(scheme),
+        lame_(state.lame[grid.cell_index(facet.cell)]),
+        shear_(state.shear[grid.cell_index(facet.cell)]),
+        consistency_(state.occupied[grid.cell_index(facet.cell)] ? scheme.consistency : 0.0),
+        mean_gradient_(state.mean.of_cell(grid.cell_index(facet.cell))) {}
+
+  void add(const SurfacePoint<Dim>& point, const Vec<Dim>& motion) {
+    // Nearly incompressible material would lock if every point of the wall were held as stiffly as
+    // its volume is: where mean gaps carry that part, points do so as at a Poisson ratio of 0.4.
+    const double constrained = lame_ + 2.0 * shear_;
+    const double across_point =
+        scheme_.stiff > 0.0 ? std::min(constrained, 6.0 * shear_) : constrained;
+    const Constraint<Dim> hold(kind_, point.normal, constrained, across_point, shear_);
+    double value[nodes];
+    Vec<Dim> gradient[nodes];
+    cell_shape<Dim>(grid_, facet_.cell, point.position, value, gradient);
+    Rows shape = Rows::Zero();
+    for (int a = 0; a < nodes; ++a) {
+      shape.template middleCols<Dim>(a * Dim) = value[a] * Mat<Dim>::Identity();
+    }
+    const Rows traction = traction_rows(hold.projector, point.normal, gradient);
+    const Mat<Dim> pointwise = scheme_.pointwise * grid_.inverse_cell_size() * hold.stiffness;
+    traction_part_ += point.weight * traction.transpose() * shape;
+    stiff_part_ += point.weight * shape.transpose() * pointwise * shape;
+    force_ += point.weight * traction.transpose() * motion;
+    stiff_force_ += point.weight * shape.transpose() * pointwise * motion;
+    moduli_.resize(hold.directions.size());
+    for (std::size_t c = 0; c < hold.directions.size(); ++c) {
+      const auto& [direction, modulus] = hold.directions[c];
+      mean_.col(c) += point.weight * shape.transpose() * direction;
+      mean_motion_[c] += point.weight * direction.dot(motion);
+      moduli_[c] = modulus;
+    }
+  }
+
+  SupportTerm<Dim> term() {
+    add_mean_gaps();
+    SupportTerm<Dim> term;
+    term.box.first = facet_.cell;
+    term.box.cells.fill(1);
+    term.wall = facet_.surface;
+    term.force = force_ + stiff_force_;
+    term.matrix = traction_part_ + traction_part_.transpose() + stiff_part_;
+    term.reaction.setZero();
+    term.given.setZero();
+    for (int a = 0; a < nodes; ++a) {
+      term.reaction += (traction_part_.transpose() + stiff_part_).template middleRows<Dim>(a * Dim);
+      term.given += stiff_force_.template segment<Dim>(a * Dim);
+    }
+    return term;
+  }
+
+ private:
+  /// The held part of sigma(N_a e_j) n, row i: lambda n_i g_j + mu (delta_ij g.n + g_i n_j).
+  Rows traction_rows(const Mat<Dim>& projector, const Vec<Dim>& n, const Vec<Dim>* gradient) const {
+    Rows traction;
+    for (int a = 0; a < nodes; ++a) {
+      const Vec<Dim>& g = gradient[a];
+      const Vec<Dim> dilatation = mean_gradient_ ? mean_gradient_[a] : g;
+      const Mat<Dim> stress_on_wall =
+          n * (lame_ * dilatation + 2.0 / 3.0 * shear_ * (dilatation - g)).transpose() +
+          shear_ * g * n.transpose() + shear_ * g.dot(n) * Mat<Dim>::Identity();
+      traction.template middleCols<Dim>(a * Dim) = projector * stress_on_wall;
+    }
+    traction *= consistency_;
+    return traction;
+  }
+
+  /// By the means over the facet of each constrained direction: q_c = int N^T c ds.
+  void add_mean_gaps() {
+    if (!(scheme_.stiff > 0.0)) {
+      return;
+    }
+    const double area = facet_.area();
+    for (std::size_t c = 0; c < moduli_.size(); ++c) {
+      const double stiffness = scheme_.stiff * grid_.inverse_cell_size() * moduli_[c] / area;
+      stiff_part_ += stiffness * mean_.col(c) * mean_.col(c).transpose();
+      stiff_force_ += stiffness * mean_motion_[c] * mean_.col(c);
+    }
+  }
+
+  const Grid<Dim>& grid_;
+  const Facet<Dim>& facet_;
+  HeldMotion kind_;
+  const SupportScheme& scheme_;
+  double lame_, shear_, consistency_;
+  const Vec<Dim>* mean_gradient_;  // at the nodes, or none
+
+  using LocalMatrix = typename SupportTerm<Dim>::LocalMatrix;
+  using LocalVector = typename SupportTerm<Dim>::LocalVector;
+  LocalMatrix traction_part_ = LocalMatrix::Zero(), stiff_part_ = LocalMatrix::Zero();
+  LocalVector force_ = LocalVector::Zero(), stiff_force_ = LocalVector::Zero();
+  Eigen::Matrix<double, width, Dim> mean_ = Eigen::Matrix<double, width, Dim>::Zero();
+  Vec<Dim> mean_motion_ = Vec<Dim>::Zero();
+  std::vector<double> moduli_;
+};
+
 }  // namespace
 
 template <int Dim>
 SupportTerm<Dim> support_term(const Grid<Dim>& grid, const CellState<Dim>& state,
                               const Facet<Dim>& facet, HeldMotion kind,
                               std::span<const Vec<Dim>> motion, const SupportScheme& scheme) {
-  constexpr int nodes = SupportTerm<Dim>::nodes, width = nodes * Dim;
-  using Rows = Eigen::Matrix<double, Dim, width>;
-  const Index cell = grid.cell_index(facet.cell);
-  const double lame = state.lame[cell], shear = state.shear[cell];
-  // Nearly incompressible material would lock if every point of the wall were held as stiffly as
-  // its volume is: where mean gaps carry that part, points do so as at a Poisson ratio of 0.4.
-  const double constrained = lame + 2.0 * shear;
-  const double across_point = scheme.stiff > 0.0 ? std::min(constrained, 6.0 * shear) : constrained;
-  const Vec<Dim>* mean_gradient = state.mean.of_cell(cell);
-  const double inverse_cell = grid.inverse_cell_size();
-  const double consistency = state.occupied[cell] ? scheme.consistency : 0.0;
-
-  SupportTerm<Dim> term;
-  term.box.first = facet.cell;
-  term.box.cells.fill(1);
-  term.wall = facet.surface;
-  typename SupportTerm<Dim>::LocalMatrix traction_part = SupportTerm<Dim>::LocalMatrix::Zero();
-  typename SupportTerm<Dim>::LocalMatrix stiff_part = SupportTerm<Dim>::LocalMatrix::Zero();
-  typename SupportTerm<Dim>::LocalVector stiff_force = SupportTerm<Dim>::LocalVector::Zero();
-  term.force.setZero();
-
-  // Means over the facet of each constrained direction: q_c = int N^T c ds.
-  constexpr int most_directions = Dim;
-  Eigen::Matrix<double, width, most_directions> mean =
-      Eigen::Matrix<double, width, most_directions>::Zero();
-  Eigen::Matrix<double, most_directions, 1> mean_motion =
-      Eigen::Matrix<double, most_directions, 1>::Zero();
-  std::vector<double> moduli;
-
+  FacetSums<Dim> sums(grid, state, facet, kind, scheme);
   for (std::size_t q = 0; q < facet.points.size(); ++q) {
-    const SurfacePoint<Dim>& point = facet.points[q];
-    const Vec<Dim>& n = point.normal;
-    const Constraint<Dim> hold(kind, n, constrained, across_point, shear);
-    double value[nodes];
-    Vec<Dim> gradient[nodes];
-    cell_shape<Dim>(grid, facet.cell, point.position, value, gradient);
-    Rows shape = Rows::Zero(), traction;
-    for (int a = 0; a < nodes; ++a) {
-      // sigma(N_a e_j) n, row i: lambda n_i g_j + mu (delta_ij g.n + g_i n_j)
-      const Vec<Dim>& g = gradient[a];
-      const Vec<Dim> dilatation = mean_gradient ? mean_gradient[a] : g;
-      const Mat<Dim> stress_on_wall =
-          n * (lame * dilatation + 2.0 / 3.0 * shear * (dilatation - g)).transpose() +
-          shear * g * n.transpose() + shear * g.dot(n) * Mat<Dim>::Identity();
-      traction.template middleCols<Dim>(a * Dim) = hold.projector * stress_on_wall;
-      shape.template middleCols<Dim>(a * Dim) = value[a] * Mat<Dim>::Identity();
-    }
-    traction *= consistency;
-    const Mat<Dim> pointwise = scheme.pointwise * inverse_cell * hold.stiffness;
-    traction_part += point.weight * traction.transpose() * shape;
-    stiff_part += point.weight * shape.transpose() * pointwise * shape;
-    term.force += point.weight * traction.transpose() * motion[q];
-    stiff_force += point.weight * shape.transpose() * pointwise * motion[q];
-    moduli.resize(hold.directions.size());
-    for (std::size_t c = 0; c < hold.directions.size(); ++c) {
-      const auto& [direction, modulus] = hold.directions[c];
-      mean.col(c) += point.weight * shape.transpose() * direction;
-      mean_motion[c] += point.weight * direction.dot(motion[q]);
-      moduli[c] = modulus;
-    }
+    sums.add(facet.points[q], motion[q]);
   }
-  if (scheme.stiff > 0.0) {
-    const double area = facet.area();
-    for (std::size_t c = 0; c < moduli.size(); ++c) {
-      const double stiffness = scheme.stiff * inverse_cell * moduli[c] / area;
-      stiff_part += stiffness * mean.col(c) * mean.col(c).transpose();
-      stiff_force += stiffness * mean_motion[c] * mean.col(c);
-    }
-  }
-  term.force += stiff_force;
-  term.matrix = traction_part + traction_part.transpose() + stiff_part;
-  term.reaction.setZero();
-  term.given.setZero();
-  for (int a = 0; a < nodes; ++a) {
-    term.reaction += (traction_part.transpose() + stiff_part).template middleRows<Dim>(a * Dim);
-    term.given += stiff_force.template segment<Dim>(a * Dim);
-  }
-  return term;
+  return sums.term();
 }
 
 template <int Dim>

@@ -111,25 +111,20 @@ std::string in_words(const Part<Dim>& part, const Eigen::VectorXd& mode) {
   }
 }
 
-}  // namespace
-
 template <int Dim>
-void require_held(const Grid<Dim>& grid, const Points& points, const PointWeights<Dim>& weights,
-                  std::span<const Facet<Dim>> facets, std::span<const HeldMotion> kinds) {
-  JoinedSets nodes(grid.node_count());
-  const auto join = [&](const CellBox<Dim>& box) {
-    const Index first = grid.node_index(box.first);
-    for_each_node(grid, box, [&](int, Index node) { nodes.join(node, first); });
-  };
+using Parts = std::map<Index, Part<Dim>>;  // by the root of their nodes
+
+/// Points that share nodes, directly or through others.
+template <int Dim>
+Parts<Dim> parts_of(const Grid<Dim>& grid, const Points& points, const PointWeights<Dim>& weights,
+                    JoinedSets& nodes) {
   for (const auto& group : weights.groups()) {
-    join(group.box);
+    const Index first = grid.node_index(group.box.first);
+    for_each_node(grid, group.box, [&](int, Index node) { nodes.join(node, first); });
   }
-  const auto root_of = [&](const CellBox<Dim>& box) {
-    return nodes.root(grid.node_index(box.first));
-  };
-  std::map<Index, Part<Dim>> parts;
+  Parts<Dim> parts;
   for (const auto& group : weights.groups()) {
-    Part<Dim>& part = parts[root_of(group.box)];
+    Part<Dim>& part = parts[nodes.root(grid.node_index(group.box.first))];
     for (Index k = group.begin; k < group.end; ++k) {
       const Index p = weights.order()[k];
       const Vec<Dim> position = points.position<Dim>(p);
@@ -144,6 +139,33 @@ void require_held(const Grid<Dim>& grid, const Points& points, const PointWeight
     part.low -= Vec<Dim>::Constant(0.5 * grid.cell_size());
     part.high += Vec<Dim>::Constant(0.5 * grid.cell_size());
   }
+  return parts;
+}
+
+/// Motions of a part that nothing stops, in words; empty where there is none.
+template <int Dim>
+std::string free_motions(const Part<Dim>& part) {
+  if (part.area == 0.0) {
+    return "every rigid motion";
+  }
+  constexpr double least = 1e-9;  // of the held area, squared motions
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(part.held / part.area);
+  std::string free;
+  for (int k = 0; k < rigid_motions<Dim>; ++k) {
+    if (modes.eigenvalues()[k] < least) {
+      free += (free.empty() ? "" : "; ") + in_words<Dim>(part, modes.eigenvectors().col(k));
+    }
+  }
+  return free;
+}
+
+}  // namespace
+
+template <int Dim>
+void require_held(const Grid<Dim>& grid, const Points& points, const PointWeights<Dim>& weights,
+                  std::span<const Facet<Dim>> facets, std::span<const HeldMotion> kinds) {
+  JoinedSets nodes(grid.node_count());
+  Parts<Dim> parts = parts_of(grid, points, weights, nodes);
   for (const Facet<Dim>& facet : facets) {
     // A facet in an empty cell holds the part whose nodes it shares.
     CellBox<Dim> box{facet.cell, {}};
@@ -165,19 +187,7 @@ void require_held(const Grid<Dim>& grid, const Points& points, const PointWeight
     }
   }
   for (const auto& [root, part] : parts) {
-    std::string free;
-    if (part.area == 0.0) {
-      free = "every rigid motion";
-    } else {
-      constexpr double least = 1e-9;  // of the held area, squared motions
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(part.held / part.area);
-      for (int k = 0; k < rigid_motions<Dim>; ++k) {
-        if (modes.eigenvalues()[k] < least) {
-          free += (free.empty() ? "" : "; ") + in_words<Dim>(part, modes.eigenvectors().col(k));
-        }
-      }
-    }
-    if (!free.empty()) {
+    if (const std::string free = free_motions<Dim>(part); !free.empty()) {
       std::string bodies;
       for (const Index body : part.bodies) {
         bodies += message(bodies.empty() ? "" : " and ", body);

@@ -11,13 +11,12 @@ constexpr double same_face = 0.82;   // cosine of 35 degrees
 constexpr double least_face = 0.1;   // of the largest area vector
 constexpr double least_apart = 0.3;  // sine of the angle to the faces before
 
-}  // namespace
-
+/// Area vectors around surface node k that point to its side, by the trust in each.
 template <int Dim>
-std::vector<CornerFace<Dim>> faces_of_corner(const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
-                                             std::size_t k) {
+std::vector<Vec<Dim>> trusted_vectors(const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
+                                      std::size_t k) {
   constexpr int reach = static_cast<int>(radius), width = 2 * reach + 1;
-  std::vector<Vec<Dim>> found;  // trusted area vectors around
+  std::vector<Vec<Dim>> found;
   const auto at = grid.node_at(areas.node[k]);
   for (int b = 0; b < (Dim == 2 ? width * width : width * width * width); ++b) {
     auto node = at;
@@ -41,6 +40,29 @@ std::vector<CornerFace<Dim>> faces_of_corner(const Grid<Dim>& grid, const NodalA
       }
     }
   }
+  return found;
+}
+
+/// dual(f) . normal(g) is one where f is g, zero elsewhere.
+template <int Dim>
+void find_duals(std::vector<CornerFace<Dim>>& faces) {
+  Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, Dim> normals(Dim, faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    normals.col(f) = faces[f].normal;
+  }
+  const auto gram = (normals.transpose() * normals).eval();
+  const auto duals = (normals * gram.inverse()).eval();
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    faces[f].dual = duals.col(f);
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<CornerFace<Dim>> faces_of_corner(const Grid<Dim>& grid, const NodalAreas<Dim>& areas,
+                                             std::size_t k) {
+  std::vector<Vec<Dim>> found = trusted_vectors(grid, areas, k);
   // The largest vector starts a face and gathers those that point its way; then the largest left,
   // unless it lies among the faces before, as on a rounded edge.
   std::vector<CornerFace<Dim>> faces;
@@ -69,15 +91,7 @@ std::vector<CornerFace<Dim>> faces_of_corner(const Grid<Dim>& grid, const NodalA
   if (faces.size() < 2) {
     return {};
   }
-  Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, Dim> normals(Dim, faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    normals.col(f) = faces[f].normal;
-  }
-  const auto gram = (normals.transpose() * normals).eval();
-  const auto duals = (normals * gram.inverse()).eval();
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    faces[f].dual = duals.col(f);
-  }
+  find_duals(faces);
   return faces;
 }
 

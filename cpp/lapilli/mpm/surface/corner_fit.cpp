@@ -185,16 +185,15 @@ struct Fit {
   }
 };
 
-}  // namespace
+/// What the area vectors on each node's own side say: how far they agree, and the ramp it gives.
+struct Agreement {
+  std::vector<double> trust, ramp;
+};
 
 template <int Dim>
-void fit_corners(const Grid<Dim>& grid, const NodalSums<Dim>& sums, NodalAreas<Dim>& areas) {
-  const AreaVectors<Dim> vectors(grid, sums.area_vector);
-  const auto count = static_cast<Index>(areas.node.size());
-
-  // Coherence of the area vectors on each node's own side, and the ramp it gives.
-  std::vector<double> trust(areas.node.size()), ramp(areas.node.size()), target(areas.node.size());
-  parallel_for(count, [&](Index k) {
+Agreement agreement_of(const AreaVectors<Dim>& vectors, const NodalAreas<Dim>& areas) {
+  Agreement found{std::vector<double>(areas.node.size()), std::vector<double>(areas.node.size())};
+  parallel_for(static_cast<Index>(areas.node.size()), [&](Index k) {
     Double4 normal{}, sum{};
     for (int axis = 0; axis < Dim; ++axis) {
       normal[axis] = areas.normal[k][axis];
@@ -206,14 +205,26 @@ void fit_corners(const Grid<Dim>& grid, const NodalSums<Dim>& sums, NodalAreas<D
       }
     });
     const double agreement = coherence<Dim>(sum);
-    trust[k] = sum[Dim] > 0.0 ? eighth_power(agreement) : 0.0;
-    ramp[k] = smoothstep((turn_of(agreement) - ramp_from) / (ramp_to - ramp_from));
-    target[k] = vectors.raw(areas.node[k]).norm();
+    found.trust[k] = sum[Dim] > 0.0 ? eighth_power(agreement) : 0.0;
+    found.ramp[k] = smoothstep((turn_of(agreement) - ramp_from) / (ramp_to - ramp_from));
   });
+  return found;
+}
+
+}  // namespace
+
+template <int Dim>
+void fit_corners(const Grid<Dim>& grid, const NodalSums<Dim>& sums, NodalAreas<Dim>& areas) {
+  const AreaVectors<Dim> vectors(grid, sums.area_vector);
+  const auto count = static_cast<Index>(areas.node.size());
+  Agreement agreement = agreement_of(vectors, areas);
+  const std::vector<double>& ramp = agreement.ramp;
   areas.corner.assign(areas.node.size(), 0.0);
   std::vector<int> row_of(sums.area_vector.size(), -1);
+  std::vector<double> target(areas.node.size());
   std::vector<Index> corners;
   for (Index k = 0; k < count; ++k) {
+    target[k] = vectors.raw(areas.node[k]).norm();
     row_of[areas.node[k]] = static_cast<int>(k);
     if (ramp[k] > 0.0) {
       corners.push_back(k);
@@ -229,7 +240,9 @@ void fit_corners(const Grid<Dim>& grid, const NodalSums<Dim>& sums, NodalAreas<D
     });
   };
   std::vector<Fit<Dim>> fits(corners.size());
-  for_each_corner([&](Index c, Index k) { fits[c] = {vectors, areas, trust, row_of, k}; });
+  for_each_corner([&](Index c, Index k) {
+    fits[c] = {vectors, areas, agreement.trust, row_of, k};
+  });
 
   std::vector<Vec<Dim>> fitted(corners.size());
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -248,7 +261,7 @@ void fit_corners(const Grid<Dim>& grid, const NodalSums<Dim>& sums, NodalAreas<D
     areas.area[k] = areas.weight[k].dot(areas.vector[k]);
     areas.corner[k] = guarded * ramp[k];
   });
-  areas.trust = std::move(trust);
+  areas.trust = std::move(agreement.trust);
 }
 
 template <>

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "lapilli/geometry/node_block.hpp"
 #include "lapilli/mpm/surface/corner_fit.hpp"
@@ -165,71 +166,111 @@ NodalAreas<Dim> nodal_normal_areas(const Grid<Dim>& grid, const NodalSums<Dim>& 
   return areas;
 }
 
+namespace {
+
+/// Negative areas, made up for by positive ones around them.
 template <int Dim>
-std::vector<double> non_negative_areas(const Grid<Dim>& grid, std::span<const Index> nodes,
-                                       std::span<const double> area) {
-  std::vector<double> positive(area.begin(), area.end());
-  std::vector<std::size_t> needy;
-  std::vector<double> missing(positive.size(), 0.0);
-  for (std::size_t k = 0; k < positive.size(); ++k) {
-    if (positive[k] < 0.0) {
-      needy.push_back(k);
-      missing[k] = -positive[k];
-      positive[k] = 0.0;
+class Needs {
+ public:
+  Needs(const Grid<Dim>& grid, std::span<const Index> nodes, std::span<const double> area)
+      : grid_(grid),
+        nodes_(nodes),
+        positive_(area.begin(), area.end()),
+        missing_(area.size(), 0.0) {
+    for (std::size_t k = 0; k < positive_.size(); ++k) {
+      if (positive_[k] < 0.0) {
+        needy_.push_back(k);
+        missing_[k] = -positive_[k];
+        positive_[k] = 0.0;
+      }
     }
   }
-  const auto row_of = [&](Index node) -> Index {
-    const auto found = std::lower_bound(nodes.begin(), nodes.end(), node);
-    return found != nodes.end() && *found == node ? found - nodes.begin() : -1;
-  };
-  constexpr int farthest = 8;  // cells; what is left then comes from everywhere
-  for (int reach = 1; reach <= farthest + 1 && !needy.empty(); ++reach) {
-    // All ask at once, so that the order of the nodes does not matter: each asks the nodes within
-    // reach in proportion to their area, and who is asked for more than it has gives its all.
-    std::vector<std::vector<Index>> givers(needy.size());
-    std::vector<double> available(needy.size(), 0.0), asked(positive.size(), 0.0);
-    for (std::size_t n = 0; n < needy.size(); ++n) {
-      const auto offer = [&](Index row) {
-        if (row >= 0 && positive[row] > 0.0) {
-          givers[n].push_back(row);
-          available[n] += positive[row];
-        }
-      };
-      if (reach > farthest) {
-        for (std::size_t row = 0; row < positive.size(); ++row) {
-          offer(static_cast<Index>(row));
-        }
-      } else {
-        for_each_in_block(grid, nodes[needy[n]], reach,
-                          [&](Index node, const Vec<Dim>&) { offer(row_of(node)); });
+
+  bool empty() const { return needy_.empty(); }
+  std::vector<double> areas() && { return std::move(positive_); }
+
+  /// Take from the nodes within some cells, or from all. All ask at once, so that the order of the
+  /// nodes does not matter: each asks the others in proportion to their area, and who is asked for
+  /// more than it has gives its all.
+  void take_from(std::optional<int> reach) {
+    std::vector<std::vector<Index>> givers;
+    std::vector<double> available(needy_.size(), 0.0), asked(positive_.size(), 0.0);
+    for (std::size_t n = 0; n < needy_.size(); ++n) {
+      givers.push_back(givers_to(needy_[n], reach));
+      for (const Index row : givers[n]) {
+        available[n] += positive_[row];
       }
       for (const Index row : givers[n]) {
-        asked[row] += missing[needy[n]] * positive[row] / available[n];
+        asked[row] += missing_[needy_[n]] * positive_[row] / available[n];
       }
     }
-    std::vector<double> given(positive.size(), 0.0);
+    std::vector<double> given(positive_.size(), 0.0);
     std::vector<std::size_t> still;
-    for (std::size_t n = 0; n < needy.size(); ++n) {
-      double& wanted = missing[needy[n]];
+    for (std::size_t n = 0; n < needy_.size(); ++n) {
+      double& wanted = missing_[needy_[n]];
       double got = 0.0;
       for (const Index row : givers[n]) {
-        const double share = wanted * positive[row] / available[n];
+        const double share = wanted * positive_[row] / available[n];
         const double gives =
-            asked[row] > positive[row] ? share * positive[row] / asked[row] : share;
+            asked[row] > positive_[row] ? share * positive_[row] / asked[row] : share;
         given[row] += gives;
         got += gives;
       }
       wanted -= got;
       if (wanted > 1e-15 * got) {
-        still.push_back(needy[n]);
+        still.push_back(needy_[n]);
       }
     }
-    for (std::size_t row = 0; row < positive.size(); ++row) {
-      positive[row] = std::max(positive[row] - given[row], 0.0);
+    for (std::size_t row = 0; row < positive_.size(); ++row) {
+      positive_[row] = std::max(positive_[row] - given[row], 0.0);
     }
-    needy = std::move(still);
+    needy_ = std::move(still);
   }
-  return positive;
+
+ private:
+  std::vector<Index> givers_to(std::size_t needy, std::optional<int> reach) const {
+    std::vector<Index> givers;
+    const auto offer = [&](Index row) {
+      if (row >= 0 && positive_[row] > 0.0) {
+        givers.push_back(row);
+      }
+    };
+    if (reach) {
+      for_each_in_block(grid_, nodes_[needy], *reach,
+                        [&](Index node, const Vec<Dim>&) { offer(row_of(node)); });
+    } else {
+      for (std::size_t row = 0; row < positive_.size(); ++row) {
+        offer(static_cast<Index>(row));
+      }
+    }
+    return givers;
+  }
+
+  Index row_of(Index node) const {
+    const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), node);
+    return found != nodes_.end() && *found == node ? found - nodes_.begin() : -1;
+  }
+
+  const Grid<Dim>& grid_;
+  std::span<const Index> nodes_;
+  std::vector<double> positive_, missing_;
+  std::vector<std::size_t> needy_;
+};
+
+}  // namespace
+
+template <int Dim>
+std::vector<double> non_negative_areas(const Grid<Dim>& grid, std::span<const Index> nodes,
+                                       std::span<const double> area) {
+  constexpr int farthest = 8;  // cells; what is left then comes from everywhere
+  Needs<Dim> needs(grid, nodes, area);
+  for (int reach = 1; reach <= farthest && !needs.empty(); ++reach) {
+    needs.take_from(reach);
+  }
+  if (!needs.empty()) {
+    needs.take_from(std::nullopt);
+  }
+  return std::move(needs).areas();
 }
 
 template struct NodalAreas<1>;
