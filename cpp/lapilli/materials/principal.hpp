@@ -31,9 +31,25 @@ inline void apply_plane(const Function& f, Real& xx, Real& yy, Real& zz, Real& x
   zz = last ? r.s3 : outer;
 }
 
-/// f of a full tensor. The best separated principal value comes from the cubic (two Newton steps on
-/// a root that is always simple), its axis from a cross product; the plane across it is solved as
-/// above (Eberly 2014, "A robust eigensolver for 3 x 3 symmetric matrices").
+/// The best separated principal value of a deviator of unit size, from the cubic: two Newton steps
+/// on a root that is always simple.
+template <class Real>
+inline Real best_separated(Real ax, Real ay, Real az, Real bx, Real by, Real bz) {
+  const Real half_det =
+      0.5 * (ax * (ay * az - by * by) - bx * (bx * az - by * bz) + bz * (bx * by - ay * bz));
+  const Real sign = half_det < 0.0 ? as<Real>(-1.0) : as<Real>(1.0);
+  const Real absolute = sign * half_det;
+  const Real r = absolute < 1.0 ? absolute : as<Real>(1.0);
+  // Root of x^3 - 3 x = 2 r in [sqrt(3), 2]; the cubic guess is good to 7e-5.
+  Real root = 1.7321237 + r * (0.33080867 + r * (-0.08176246 + r * 0.01888723));
+  root -= (root * (root * root - 3.0) - 2.0 * r) / (3.0 * (root * root - 1.0));
+  root -= (root * (root * root - 3.0) - 2.0 * r) / (3.0 * (root * root - 1.0));
+  return sign * root;
+}
+
+/// f of a full tensor. The axis of the best separated principal value comes from a cross product;
+/// the plane across it is solved as above (Eberly 2014, "A robust eigensolver for 3 x 3 symmetric
+/// matrices").
 template <class Real, class Function>
 inline void apply_full(const Function& f, Real& xx, Real& yy, Real& zz, Real& xy, Real& yz,
                        Real& xz) {
@@ -45,16 +61,7 @@ inline void apply_full(const Function& f, Real& xx, Real& yy, Real& zz, Real& xy
   const Real inverse = 1.0 / (size > 0.0 ? size : as<Real>(1.0));
   const Real ax = dx * inverse, ay = dy * inverse, az = dz * inverse;
   const Real bx = xy * inverse, by = yz * inverse, bz = xz * inverse;
-  const Real half_det =
-      0.5 * (ax * (ay * az - by * by) - bx * (bx * az - by * bz) + bz * (bx * by - ay * bz));
-  const Real sign = half_det < 0.0 ? as<Real>(-1.0) : as<Real>(1.0);
-  const Real absolute = sign * half_det;
-  const Real r = absolute < 1.0 ? absolute : as<Real>(1.0);
-  // Root of x^3 - 3 x = 2 r in [sqrt(3), 2]; the cubic guess is good to 7e-5.
-  Real root = 1.7321237 + r * (0.33080867 + r * (-0.08176246 + r * 0.01888723));
-  root -= (root * (root * root - 3.0) - 2.0 * r) / (3.0 * (root * root - 1.0));
-  root -= (root * (root * root - 3.0) - 2.0 * r) / (3.0 * (root * root - 1.0));
-  const Real value = sign * root;
+  const Real value = best_separated(ax, ay, az, bx, by, bz);
 
   // Its axis: the longest cross product of two rows of the deviator minus that value.
   const Real rx = ax - value, ry = ay - value, rz = az - value;

@@ -19,49 +19,53 @@ from lapilli.commands.options import (
     load,
 )
 
+Vary = Annotated[
+    list[str],
+    Parameter(
+        negative=(),
+        help="values of one member to try, PATH=A,B,...; may be repeated",
+    ),
+]
+Reference = Annotated[
+    str | None,
+    Parameter(
+        help="radial, slab, finer:grid.cell=0.05, a .vtkhdf file, or module:function; "
+        "a finer run of the scene unless given",
+    ),
+]
+Quantities = Annotated[
+    list[str] | None,
+    Parameter(
+        negative=(),
+        help="a field, or a scalar of the history (heat/supplied_by_rims); may be repeated, "
+        "the first ranks",
+    ),
+]
+Norm = Annotated[Literal["rms", "max", "mean", "relative"], Parameter(help="of the error")]
+Output = Annotated[
+    str | None,
+    Parameter(help="NAME.csv, .json, .png, .jsonl; the scene's unless given"),
+]
+
 
 def command(
     scene: SceneFile,
     /,
     *,
     changes: Changes = None,
-    vary: Annotated[
-        list[str],
-        Parameter(
-            negative=(),
-            help="values of one member to try, PATH=A,B,...; may be repeated",
-        ),
-    ],
-    reference: Annotated[
-        str | None,
-        Parameter(
-            help="radial, slab, finer:grid.cell=0.05, a .vtkhdf file, or module:function; "
-            "a finer run of the scene unless given",
-        ),
-    ] = None,
+    vary: Vary,
+    reference: Reference = None,
     times: Annotated[str | None, Parameter(help="S,S,...; the end unless given")] = None,
     field: Annotated[str, Parameter(help="which field; temperature unless given")] = "temperature",
-    quantity: Annotated[
-        list[str] | None,
-        Parameter(
-            negative=(),
-            help="a field, or a scalar of the history (heat/supplied_by_rims); may be repeated, "
-            "the first ranks",
-        ),
-    ] = None,
-    norm: Annotated[
-        Literal["rms", "max", "mean", "relative"], Parameter(help="of the error")
-    ] = "rms",
+    quantity: Quantities = None,
+    norm: Norm = "rms",
     repeats: Count = 3,
     workers: Workers = 1,
     scheduler: Scheduler = None,
     threads: Annotated[Count, Parameter(help="threads of each run")] = 1,
     target_error: Annotated[float | None, Parameter(help="name the cheapest within")] = None,
     budget: Annotated[float | None, Parameter(help="name the best within CPU s")] = None,
-    output: Annotated[
-        str | None,
-        Parameter(help="NAME.csv, .json, .png, .jsonl; the scene's unless given"),
-    ] = None,
+    output: Output = None,
     json: Json = False,
     quiet: Quiet = False,
     verbose: Verbose = False,
