@@ -181,8 +181,8 @@ void bind_summary(py::module_& module) {
            [](S s) { return s.statistics.wall_seconds; });
   property(bound, owner, "cpu_seconds", "float", "of processor time, all threads together",
            [](S s) { return s.statistics.cpu_seconds; });
-  property(bound, owner, "notes", "list[str]", "what the user should know",
-           [](S s) { return s.notes; });
+  property(bound, owner, "notes", "list[lapilli.note.Note]", "what the user should know",
+           [](S s) { return notes_in_python(s.notes); });
   property(bound, owner, "history", "dict[str, numpy.typing.NDArray[numpy.float64]]",
            "what was recorded in time: the times, s, and every scalar by its name", &history_of);
   property(bound, owner, "history_columns", "dict[str, tuple[str, str]]",
@@ -239,10 +239,11 @@ void bind_run(py::module_& module) {
       "summary_text(simulation: Simulation, summary: RunSummary, output: str) -> str\n\nHow a run "
       "ended, its balances and what its user should know.");
   module.def(
-      "unused_settings", [](const py::object& scene) { return unused_settings(scene_of(scene)); },
+      "unused_settings",
+      [](const py::object& scene) { return notes_in_python(unused_settings(scene_of(scene))); },
       py::arg("scene"),
-      "unused_settings(scene: Scene) -> list[str]\n\nSettings that nothing reads in this scene, "
-      "with the reason.");
+      "unused_settings(scene: Scene) -> list[lapilli.note.Note]\n\nSettings that nothing reads in "
+      "this scene, with the reason.");
   module.def(
       "scene_identity",
       [](const py::object& given) {
@@ -280,8 +281,7 @@ void bind_run(py::module_& module) {
       },
       py::arg("frames"),
       "verify(frames: str) -> tuple[int, int, list[str]]\n\nFrames of a run or a merged file, "
-      "those "
-      "of which every number fits its checksum, and what is damaged, checkpoints too.");
+      "those of which every number fits its checksum, and what is damaged, checkpoints too.");
   module.def(
       "rebuild_index",
       [](const std::string& frames) {

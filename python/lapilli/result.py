@@ -20,6 +20,7 @@ from lapilli._core import Balance, RunSummary, Scene, Simulation
 from lapilli.components import component_of, parted
 from lapilli.frames import Frames
 from lapilli.history import History, history_of
+from lapilli.note import Note, notes_in
 from lapilli.part import Part, names_of
 from lapilli.progress import progress_bar
 from lapilli.record import read_record
@@ -139,10 +140,14 @@ class Result:
         return read_record(self.output.with_suffix(".json"))
 
     @property
-    def warnings(self) -> list[str]:
+    def warnings(self) -> list[Note]:
         """What each physics says of its last state that is not wrong but not right either; needs
         the record."""
-        return [warning for physics in self.record["physics"] for warning in physics["warnings"]]
+        return [
+            warning
+            for physics in self.record["physics"]
+            for warning in notes_in(physics, "warnings", "warning_codes")
+        ]
 
 
 def run(
@@ -159,7 +164,7 @@ def run(
 
     Ctrl-C ends the run after its step, with frame and checkpoint written, and raises
     ``KeyboardInterrupt``. Start and end of the run go to the logger "lapilli" (INFO), its notes and
-    warnings too (WARNING).
+    warnings too (WARNING; the record of logging has the ``code`` of each).
 
     Parameters
     ----------
@@ -187,7 +192,7 @@ def run(
             summary = _core.run_simulation(simulation, scene, resume, show, callback, signals)
     result = Result(simulation, summary, where, scene)
     for note in [*summary.notes, *(result.warnings if path else [])]:
-        log.warning("%s: %s", name, note)
+        log.warning("%s: %s", name, note.line, extra={"code": note.code})
     log.info("%s: %r, %d steps, %.3g CPU s", name, result, summary.steps, summary.cpu_seconds)
     return result
 

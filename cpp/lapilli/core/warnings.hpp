@@ -1,7 +1,8 @@
 #pragma once
 
-#include <string>
 #include <vector>
+
+#include "lapilli/core/note.hpp"
 
 namespace lapilli {
 
@@ -10,7 +11,7 @@ class Warnings {
  public:
   virtual ~Warnings() = default;
   /// One sentence each; empty: nothing to say.
-  virtual std::vector<std::string> warnings() const = 0;
+  virtual std::vector<Note> warnings() const = 0;
 };
 
 }  // namespace lapilli

@@ -57,7 +57,7 @@ typename PeridynamicFlow<Dim>::Pace PeridynamicFlow<Dim>::pace() const {
 }
 
 template <int Dim>
-std::vector<std::string> PeridynamicFlow<Dim>::warnings() const {
+std::vector<Note> PeridynamicFlow<Dim>::warnings() const {
   if (heat_ == nullptr) {
     return {};
   }
@@ -72,10 +72,11 @@ std::vector<std::string> PeridynamicFlow<Dim>::warnings() const {
   if (excess <= coarse_excess) {
     return {};
   }
-  return {message("the points are too few for the layers of this flow: neighbours do not share ",
-                  std::round(100.0 * noise), " % of the velocity, and it may carry about ",
-                  std::round(100.0 * excess), " % too much heat; take cells of ",
-                  two_digits(walls_->spacing() * std::pow(resolved_excess / excess, 0.7)), " m")};
+  return {note("peridynamics.coarse",
+               "the points are too few for the layers of this flow: neighbours do not share ",
+               std::round(100.0 * noise), " % of the velocity, and it may carry about ",
+               std::round(100.0 * excess), " % too much heat; take cells of ",
+               two_digits(walls_->spacing() * std::pow(resolved_excess / excess, 0.7)), " m")};
 }
 
 template <int Dim>
@@ -134,7 +135,7 @@ void PeridynamicFlow<Dim>::load(const Archive& archive) {
   template void PeridynamicFlow<Dim>::refresh_output();                                           \
   template std::vector<Field> PeridynamicFlow<Dim>::fields();                                     \
   template std::vector<std::pair<std::string, double>> PeridynamicFlow<Dim>::diagnostics() const; \
-  template std::vector<std::string> PeridynamicFlow<Dim>::warnings() const;                       \
+  template std::vector<Note> PeridynamicFlow<Dim>::warnings() const;                              \
   template void PeridynamicFlow<Dim>::save(Archive& archive) const;                               \
   template void PeridynamicFlow<Dim>::load(const Archive& archive);
 LAPILLI_INSTANTIATE(1)

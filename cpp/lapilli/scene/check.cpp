@@ -78,7 +78,7 @@ void describe_peridynamics(const Scene& scene, CheckReport& report) {
         .push_back("viscous heating");
   }
   if (settings.walls.empty()) {
-    report.notes.push_back("[peridynamics] has no walls: nothing holds the fluid");
+    report.say("peridynamics.no-walls", "[peridynamics] has no walls: nothing holds the fluid");
   }
   std::ranges::copy(heat_warnings(scene), std::back_inserter(report.notes));
   for (const char* absent : {"free surfaces", "properties that depend on temperature",
@@ -98,7 +98,7 @@ void describe_heat(const Scene& scene, CheckReport& report) {
     report.modelled.push_back(condition);
   }
   if (scene.heat->boundaries.empty()) {
-    report.notes.push_back("[heat] has no boundaries: all surfaces are insulated");
+    report.say("heat.no-boundaries", "[heat] has no boundaries: all surfaces are insulated");
   }
   bool varies = false, melts = false;
   for (const Body& body : scene.bodies) {
@@ -134,13 +134,14 @@ void describe_quasi_static(const Scene& scene, CheckReport& report) {
   }
   for (const Body& body : scene.bodies) {
     if (body.shape && !is_filled_exactly(scene, body)) {
-      report.notes.push_back(message("body ", body.name,
-                                     " is filled by a lattice: its points integrate cut cells "
-                                     "roughly; set fill = \"exact\""));
+      report.say("quasi_static.lattice-fill", "body ", body.name,
+                 " is filled by a lattice: its points integrate cut cells "
+                 "roughly; set fill = \"exact\"");
     }
   }
   if (!settings.hold_empty_cells && scene.grid.shape_function == ShapeFunction::linear) {
-    report.notes.push_back(
+    report.say(
+        "quasi_static.empty-cells",
         "hold_empty_cells is off and shape functions are linear: a wall that moves into a cell "
         "without points lets go");
   }
@@ -152,15 +153,17 @@ void describe_transfer(const Scene& scene, CheckReport& report) {
     return;
   }
   if (scene.grid.shape_function == ShapeFunction::linear) {
-    report.notes.push_back(
+    report.say(
+        "dynamics.no-affine-part",
         "dynamics.transfer blended_apic has no affine part with linear functions: spin fades");
   }
   const double enough = 0.75 * scene.grid.cell;
   for (const CheckReport::BodyReport& body : report.bodies) {
     if (body.spacing > enough) {
-      report.notes.push_back(message("body ", body.name, " has fewer than ", 1 << report.dimension,
-                                     " points per cell: with dynamics.transfer blended_apic it may "
-                                     "fall apart after some 10,000 steps"));
+      report.say("dynamics.few-points", "body ", body.name, " has fewer than ",
+                 1 << report.dimension,
+                 " points per cell: with dynamics.transfer blended_apic it may "
+                 "fall apart after some 10,000 steps");
     }
   }
 }
@@ -205,11 +208,10 @@ void describe_dynamics(const Scene& scene, CheckReport& report) {
     report.modelled.push_back(std::visit([](const auto& known) { return known.kind; }, law));
   }
   if (settings.grid_boundaries.empty()) {
-    report.notes.push_back("[dynamics] has no walls: a point that leaves the grid stops the run");
+    report.say("dynamics.no-walls",
+               "[dynamics] has no walls: a point that leaves the grid stops the run");
   }
-  for (const std::string& warning : warnings(settings)) {
-    report.notes.push_back(warning);
-  }
+  std::ranges::copy(warnings(settings), std::back_inserter(report.notes));
   describe_transfer(scene, report);
   for (const char* absent : {"pore pressure", "rate dependence"}) {
     report.not_modelled.push_back(absent);
@@ -224,7 +226,7 @@ void describe_choices(const Simulation& simulation, CheckReport& report) {
     }
     if (const auto* warner = dynamic_cast<const Warnings*>(physics.get())) {
       std::ranges::copy_if(warner->warnings(), std::back_inserter(report.notes),
-                           [notes = report.notes](const std::string& warning) {
+                           [notes = report.notes](const Note& warning) {
                              return std::ranges::find(notes, warning) == notes.end();
                            });
     }
@@ -284,8 +286,8 @@ CheckReport estimate(const Scene& scene, const SizeEstimate& size) {
   report.memory = size.memory;
   report.hard_limit = std::numeric_limits<double>::infinity();
   estimate_steps(scene, report);
-  report.notes.push_back(message("not built, since it is large: about ", size.points,
-                                 " points and ", readable_bytes(size.memory), " by its bounds"));
+  report.say("scene.not-built", "not built, since it is large: about ", size.points, " points and ",
+             readable_bytes(size.memory), " by its bounds");
   return report;
 }
 
@@ -306,9 +308,7 @@ CheckReport check(const Scene& scene) {
   describe_grid(scene, report);
   describe_bodies(scene, *simulation, report);
   describe_physics(scene, report);
-  for (const std::string& note : unused_settings(scene)) {
-    report.notes.push_back(note);
-  }
+  std::ranges::copy(unused_settings(scene), std::back_inserter(report.notes));
   describe_step(scene, *simulation, report);
   report.memory =
       memory_of(scene, static_cast<double>(report.nodes), static_cast<double>(report.points));

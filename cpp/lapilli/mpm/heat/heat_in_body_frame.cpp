@@ -135,9 +135,9 @@ SurfaceView HeatInBodyFrame<Dim>::surface() const {
 }
 
 template <int Dim>
-std::vector<std::string> HeatInBodyFrame<Dim>::warnings() const {
+std::vector<Note> HeatInBodyFrame<Dim>::warnings() const {
   const auto* warner = dynamic_cast<const Warnings*>(at_rest_.get());
-  return warner != nullptr ? warner->warnings() : std::vector<std::string>{};
+  return warner != nullptr ? warner->warnings() : std::vector<Note>{};
 }
 
 template <int Dim>
