@@ -102,11 +102,31 @@ void bind_balance(py::module_& module) {
       ("__repr__" + self + " -> str").c_str());
 }
 
+py::list note_kinds_in_python() {
+  py::list all;
+  for (const NoteKind& kind : note_kinds) {
+    all.append(py::make_tuple(kind.code, kind.when, kind.advice));
+  }
+  return all;
+}
+
 }  // namespace
+
+py::list notes_in_python(const std::vector<Note>& notes) {
+  const py::object made = py::module_::import("lapilli.note").attr("Note");
+  py::list all;
+  for (const Note& one : notes) {
+    all.append(made(one.text, one.code.text()));
+  }
+  return all;
+}
 
 void bind_reports(py::module_& module) {
   bind_step(module);
   bind_balance(module);
+  module.def("note_kinds", &note_kinds_in_python,
+             "note_kinds() -> list[tuple[str, str, str]]\n\nEvery kind of note: its code, when it "
+             "is said, what to do.");
 }
 
 }  // namespace lapilli::python

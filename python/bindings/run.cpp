@@ -179,8 +179,8 @@ void bind_summary(py::module_& module) {
            [](S s) { return s.statistics.wall_seconds; });
   property(bound, owner, "cpu_seconds", "float", "of processor time, all threads together",
            [](S s) { return s.statistics.cpu_seconds; });
-  property(bound, owner, "notes", "list[str]", "what the user should know",
-           [](S s) { return s.notes; });
+  property(bound, owner, "notes", "list[lapilli.note.Note]", "what the user should know",
+           [](S s) { return notes_in_python(s.notes); });
   property(bound, owner, "history", "dict[str, numpy.typing.NDArray[numpy.float64]]",
            "what was recorded in time: the times, s, and every scalar by its name", &history_of);
   property(bound, owner, "history_columns", "dict[str, tuple[str, str]]",
@@ -224,10 +224,11 @@ void bind_scene_reports(py::module_& module) {
   module.def("scene_schema", &scene_schema,
              "scene_schema() -> str\n\nThe JSON Schema of scene files.");
   module.def(
-      "unused_settings", [](const py::object& scene) { return unused_settings(scene_of(scene)); },
+      "unused_settings",
+      [](const py::object& scene) { return notes_in_python(unused_settings(scene_of(scene))); },
       py::arg("scene"),
-      "unused_settings(scene: Scene) -> list[str]\n\nSettings that nothing reads in this scene, "
-      "with the reason.");
+      "unused_settings(scene: Scene) -> list[lapilli.note.Note]\n\nSettings that nothing reads in "
+      "this scene, with the reason.");
   module.def(
       "scene_identity",
       [](const py::object& given) {

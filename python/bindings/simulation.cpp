@@ -3,11 +3,13 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "bindings.hpp"
 #include "convert_scene.hpp"
 #include "lapilli/core/diagnostics.hpp"
 #include "lapilli/core/interruption.hpp"
+#include "lapilli/core/warnings.hpp"
 #include "lapilli/mpm/surface/surface_view.hpp"
 #include "lapilli/scene/body_volumes.hpp"
 #include "lapilli/scene/build.hpp"
@@ -100,6 +102,14 @@ py::dict diagnostics(PythonSimulation& simulation) {
     all[py::str(scalar.name)] = scalar.value;
   }
   return all;
+}
+
+py::list warnings(PythonSimulation& simulation) {
+  std::vector<Note> all;
+  for (const auto& physics : simulation.get().physics()) {
+    std::ranges::copy(warnings_of(*physics), std::back_inserter(all));
+  }
+  return notes_in_python(all);
 }
 
 py::dict volumes(PythonSimulation& simulation) {
@@ -227,6 +237,11 @@ void bind_accounts(Bound& bound) {
               .c_str())
       .def("diagnostics", &diagnostics,
            ("diagnostics" + self + ") -> dict[str, float]\n\nNumbers worth watching, by physics.")
+               .c_str())
+      .def("warnings", &warnings,
+           ("warnings" + self +
+            ") -> list[lapilli.note.Note]\n\nWhat each physics says of its present state that is "
+            "not wrong but not right either.")
                .c_str())
       .def("volumes", &volumes,
            ("volumes" + self +

@@ -4,11 +4,12 @@ The compiled part of lapilli.
 from __future__ import annotations
 import collections.abc
 import inspect
+import lapilli.note
 import numpy
 import numpy.typing
 import os
 import typing
-__all__: list[str] = ['Annulus', 'Balance', 'Body', 'BodyContact', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'DruckerPrager', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'FunctionSolid', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeatContact', 'HeightField', 'Image', 'Intersection', 'Mesh', 'ModifiedCamClay', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'Stage', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'TabulatedMohrCoulomb', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'VonMises', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_identity', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify', 'version_text']
+__all__: list[str] = ['Annulus', 'Balance', 'Body', 'BodyContact', 'Box', 'Convection', 'Cylinder', 'Difference', 'Disk', 'DruckerPrager', 'Dynamics', 'Elastic', 'Ellipse', 'Ellipsoid', 'FluidWall', 'Flux', 'FrameReader', 'FrictionalBoundary', 'FunctionSolid', 'Geostatic', 'Grid', 'HalfSpace', 'Heat', 'HeatContact', 'HeightField', 'Image', 'Intersection', 'Mesh', 'ModifiedCamClay', 'MohrCoulomb', 'Newtonian', 'NoSlipBoundary', 'Obstacle', 'Output', 'OutputError', 'PeridynamicFlow', 'PeridynamicHeat', 'Peridynamics', 'PlasticHeating', 'Points', 'Polygon', 'PrescribedTemperature', 'Pressure', 'Probe', 'Progress', 'QuasiStatic', 'Radiation', 'RollerBoundary', 'Rotated', 'Rotation', 'RunError', 'RunSummary', 'Scene', 'Shape', 'Simulation', 'Sphere', 'Stage', 'StepReport', 'Support', 'SurfaceTraction', 'Swirl', 'Table', 'TabulatedMohrCoulomb', 'Thermal', 'ThermalExpansion', 'Time', 'Traction', 'Translated', 'Translation', 'Union', 'VonMises', 'check_json', 'check_text', 'cpu_seconds', 'keys_as_markdown', 'merge', 'note_kinds', 'peak_memory', 'progress_text', 'readable_time', 'rebuild_index', 'run_simulation', 'scene_identity', 'scene_schema', 'set_thread_count', 'summary_text', 'thread_count', 'unknown_name', 'unused_settings', 'verify', 'version_text']
 class RunError(RuntimeError):
     """
     A run that went wrong; the message names step, time, point, field and likely cause.
@@ -4981,7 +4982,7 @@ class RunSummary:
         s
         """
     @property
-    def notes(self) -> list[str]:
+    def notes(self) -> list[lapilli.note.Note]:
         """
         what the user should know
         """
@@ -5052,6 +5053,10 @@ def merge(from_path: str | os.PathLike[str], to_path: str | os.PathLike[str]) ->
     """
     Gather a series of frames into one self-contained file.
     """
+def note_kinds() -> list[tuple[str, str, str]]:
+    """
+    Every kind of note: its code, when it is said, what to do.
+    """
 def peak_memory() -> int:
     """
     The most memory this process has used, bytes.
@@ -5096,7 +5101,7 @@ def unknown_name(what: str, given: str, names: list[str]) -> str:
     """
     What to say of a name that is none of these: what it is called now, what was meant, or what there is.
     """
-def unused_settings(scene: Scene) -> list[str]:
+def unused_settings(scene: Scene) -> list[lapilli.note.Note]:
     """
     Settings that nothing reads in this scene, with the reason.
     """

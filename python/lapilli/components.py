@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -65,13 +66,18 @@ def magnitude(values: Array) -> Array:
     return size
 
 
+def typeset(unit: str) -> str:
+    """A unit as it is printed: W/m² for "W/m^2"."""
+    return re.sub(r"\^([0-9])", lambda power: "⁰¹²³⁴⁵⁶⁷⁸⁹"[int(power[1])], unit)
+
+
 def label(name: str, values: Array, unit: str) -> str:
     """ "velocity, magnitude (m/s)": what is drawn, with its unit."""
     field, component = parted(name)
     if values.ndim > 1 and not component:
         component = MAGNITUDE
     words = ", ".join(part for part in (field.replace("_", " "), component) if part)
-    return f"{words} ({unit})" if unit else words
+    return f"{words} ({typeset(unit)})" if unit else words
 
 
 def require_field(name: str, fields: Sequence[str], where: object) -> str:

@@ -1,13 +1,12 @@
-"""The example scenes that come with the package."""
+"""The example scenes that come with the package, and the tutorials as notebooks."""
 
 from __future__ import annotations
 
 import os
-import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
-from lapilli import words
+from lapilli import notebooks, words
 from lapilli._core import Scene
 
 # Beside this file where the package is installed, at the top of the sources otherwise.
@@ -52,18 +51,22 @@ def chosen(wanted: Sequence[str]) -> list[str]:
 
 
 def copy(wanted: Sequence[str], to: str | os.PathLike[str]) -> list[Path]:
-    """Copy examples and the files that they read; nothing is overwritten."""
-    root, target = folder(), Path(to)
-    files = [root / f"{name}.toml" for name in chosen(wanted)]
-    for scene in list(files):
+    """Copy examples and the files that they read, and tutorials; nothing is overwritten."""
+    root, pages = folder(), notebooks.pages()
+    named = words.chosen("example", wanted, [*names(), *pages])
+    scenes = [root / f"{name}.toml" for name in named if name not in pages]
+    files = dict.fromkeys(scenes)
+    for scene in scenes:
         text = scene.read_text()
         beside = (file for file in sorted(scene.parent.iterdir()) if file.suffix != ".toml")
-        files += [file for file in beside if f'"{file.name}"' in text and file not in files]
-    copied = [target / file.relative_to(root) for file in files]
-    there = [str(path) for path in copied if path.exists()]
+        files.update(dict.fromkeys(file for file in beside if f'"{file.name}"' in text))
+    made = {Path(to) / file.relative_to(root): file.read_bytes() for file in files}
+    for name in (name for name in named if name in pages):
+        made[Path(to) / f"{name}.ipynb"] = notebooks.notebook(pages[name]).encode()
+    there = [str(path) for path in made if path.exists()]
     if there:
         raise ValueError(f"{', '.join(there)} is there already: nothing was copied")
-    for source, copy_of_it in zip(files, copied, strict=True):
-        copy_of_it.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(source, copy_of_it)
-    return copied
+    for path, content in made.items():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+    return list(made)

@@ -29,7 +29,7 @@ def to_pyvista(frame: Frame, fields: Sequence[str] | None) -> pyvista.PolyData:
     frames = frame.frames
     cloud: pyvista.PolyData = vista.PolyData(frame.position)
     for name in frames.fields if fields is None else fields:
-        require_field(name, frames.fields, frames.path)
+        require_field(name, frames.readable, frames.path)
         cloud.point_data[name] = frame[name]
     cloud.field_data["TimeValue"] = [frame.time]
     return cloud
@@ -38,7 +38,7 @@ def to_pyvista(frame: Frame, fields: Sequence[str] | None) -> pyvista.PolyData:
 def frames_to_xarray(frames: Frames, fields: Sequence[str] | None) -> xarray.Dataset:
     """See ``Frames.to_xarray``."""
     for name in fields or ():
-        require_field(name, frames.fields, frames.path)
+        require_field(name, frames.readable, frames.path)
     names = [name for name in fields or frames.fields if name not in NOT_VARIABLES]
     arrays = {
         name: np.stack([_of_all_points(frame, name) for frame in frames])

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[Any]
 
+MADE = {"displacement": "m"}  # from the positions, where a run does not write it
+
 
 class Frame:
     """The state at one time. Arrays are read, and compared with their checksums, when asked for."""
@@ -40,7 +42,8 @@ class Frame:
     def __getitem__(self, name: str) -> Array:
         """A field, one row per point in the order of the points' ids, or one component of it:
         ``frame["velocity.x"]``, ``frame["stress.xy"]``, ``frame["velocity.magnitude"]``. Points
-        that have left the grid have no row; ``frame["id"]`` says who is left.
+        that have left the grid have no row; ``frame["id"]`` says who is left. "displacement" is
+        there in every run: since the first frame, where the run does not write it.
 
         Raises ``OutputError`` naming file, frame and field when it is damaged or missing.
         """
@@ -73,12 +76,20 @@ class Frame:
         return to_pyvista(self, fields)
 
     def _read(self, name: str) -> Array:
-        if name != "position" and name not in self.frames.fields:
+        if name != "position" and name not in self.frames.readable:
             raise KeyError(
                 f"no field {name!r} in {self.frames.path}; there is: "
-                + ", ".join(self.frames.fields)
+                + ", ".join(self.frames.readable)
             )
+        if name in MADE and name not in self.frames.fields:
+            return self._displacement()
         return self.frames.reader.read(self.number, name)
+
+    def _displacement(self) -> Array:
+        """How far each point is from where the first frame that has it shows it, m."""
+        ids, start = self.frames.first_positions
+        moved: Array = self.position - start[np.searchsorted(ids, self["id"])]
+        return moved
 
 
 def way_back(path: Path) -> str:
@@ -145,6 +156,19 @@ class Frames:
         return ids, np.concatenate([one["body"] for one in self])[rows]
 
     @property
+    def readable(self) -> list[str]:
+        """The fields, and what is made from the positions."""
+        return [*self.fields, *(name for name in MADE if name not in self.fields)]
+
+    @functools.cached_property
+    def first_positions(self) -> tuple[npt.NDArray[np.int64], Array]:
+        """Ids of all points, rising, and the position of each in the first frame that has it."""
+        if np.array_equal(self[0]["id"], self.all_points[0]):
+            return self.all_points[0], self[0].position
+        ids, rows = np.unique(np.concatenate([one["id"] for one in self]), return_index=True)
+        return ids, np.concatenate([one.position for one in self])[rows]
+
+    @property
     def record_path(self) -> Path:
         """Where the run record lies."""
         return self.path.with_suffix(".json")
@@ -188,7 +212,7 @@ class Frames:
     def unit(self, name: str) -> str:
         """The unit of a field, or of a component of it."""
         field, _ = parted(name)
-        return "m" if field == "position" else self.units[field]
+        return "m" if field == "position" else self.units.get(field) or MADE.get(field, "")
 
     @property
     def dimension(self) -> int:

@@ -108,7 +108,7 @@ def result_as_html(result: Result) -> str:
         f"<p>{html.escape(repr(result)[1:-1])}, {result.summary.steps} steps</p>"
         + table(("field", "smallest", "largest", "unit"), fields)
         + table(("balance", "supplied", "stored", "unit", "residual"), balances)
-        + "".join(f"<p>{html.escape(note)}</p>" for note in result.summary.notes)
+        + "".join(f"<p>{html.escape(note.line)}</p>" for note in result.summary.notes)
     )
 
 

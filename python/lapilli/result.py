@@ -20,6 +20,7 @@ from lapilli._core import Balance, RunSummary, Scene, Simulation
 from lapilli.components import component_of, parted
 from lapilli.frames import Frames
 from lapilli.history import History, history_of
+from lapilli.note import Note
 from lapilli.part import Part, names_of
 from lapilli.progress import progress_bar
 from lapilli.record import read_record
@@ -139,10 +140,9 @@ class Result:
         return read_record(self.output.with_suffix(".json"))
 
     @property
-    def warnings(self) -> list[str]:
-        """What each physics says of its last state that is not wrong but not right either; needs
-        the record."""
-        return [warning for physics in self.record["physics"] for warning in physics["warnings"]]
+    def warnings(self) -> list[Note]:
+        """What each physics says of its last state that is not wrong but not right either."""
+        return self.simulation.warnings()
 
 
 def run(
@@ -159,7 +159,7 @@ def run(
 
     Ctrl-C ends the run after its step, with frame and checkpoint written, and raises
     ``KeyboardInterrupt``. Start and end of the run go to the logger "lapilli" (INFO), its notes and
-    warnings too (WARNING).
+    warnings too (WARNING; the record of logging has the ``code`` of each).
 
     Parameters
     ----------
@@ -186,8 +186,8 @@ def run(
         with progress_bar(progress) as show, held_back() as signals:
             summary = _core.run_simulation(simulation, scene, resume, show, callback, signals)
     result = Result(simulation, summary, where, scene)
-    for note in [*summary.notes, *(result.warnings if path else [])]:
-        log.warning("%s: %s", name, note)
+    for note in [*summary.notes, *result.warnings]:
+        log.warning("%s: %s", name, note.line, extra={"code": note.code})
     log.info("%s: %r, %d steps, %.3g CPU s", name, result, summary.steps, summary.cpu_seconds)
     return result
 

@@ -25,7 +25,7 @@ def time_series(
     """See ``Frames.time_series``."""
     if (probe is None) == (point is None):
         raise ValueError("a time series needs either probe=(x, y) or point=id")
-    require_field(field, [*frames.fields, "position"], frames.path)
+    require_field(field, [*frames.readable, "position"], frames.path)
     read = _follower(frames, point) if point is not None else _prober(frames, probe or ())
     rows = [read(frame, field) for frame in frames]
     numbers = dict(zip(_names(frames[0], field), np.transpose(rows), strict=True))

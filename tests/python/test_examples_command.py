@@ -5,14 +5,14 @@ from pathlib import Path
 import pytest
 
 import lapilli as lp
-from lapilli import examples
+from lapilli import examples, notebooks
 from lapilli.cli import main
 
 
 def test_list_names_every_scene_with_its_title(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["examples", "list"]) == 0
     shown = capsys.readouterr().out.splitlines()
-    assert len(shown) == len(examples.names()) > 20
+    assert len(shown) == len(examples.names()) + len(notebooks.pages()) > 20
     assert any(line.startswith("vhfm/ring ") and "ring" in line[20:].lower() for line in shown)
 
 

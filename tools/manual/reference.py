@@ -1,6 +1,7 @@
 """A hook of mkdocs: pages of reference, written from the program's own tables.
 
-One page for each part of a scene below `reference/`, `reference/fields.md`, `reference/history.md`.
+One page for each part of a scene below `reference/`, `reference/fields.md`,
+`reference/history.md`, `reference/notes.md`.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from typing import Any, NamedTuple
 from mkdocs.structure.files import File
 
 from lapilli import _core
+from lapilli.note import kinds_as_markdown
 from lapilli.point_fields import fields_as_markdown
 
 
@@ -78,6 +80,7 @@ def pages() -> Iterator[tuple[str, str]]:
         raise ValueError(f"no page of reference takes the keys of {', '.join(tables)}")
     yield "reference/fields.md", fields_page()
     yield "reference/history.md", history_page()
+    yield "reference/notes.md", notes_page()
 
 
 def key_tables() -> dict[str, str]:
@@ -96,6 +99,21 @@ In frames (`ring.vtkhdf`), in ParaView and in Python (`result["temperature"]`,
 degrees Celsius. State variables of a solid of your own are fields of their names.
 
 """, 1)  # fmt: skip
+
+
+def notes_page() -> str:
+    """Every note, by its code."""
+    return f"""# Notes and their codes
+
+What is allowed and seldom meant, and what a run found of itself, is said as a note: by `lapilli
+check`, at the end of a run, in the run record, in reports and to the logger `lapilli`. Each kind
+has a code that stays the same while its words change. Text has it behind the words,
+`[heat.bridged-gap]`; `check --json` and the record have `note_codes` beside `notes` and
+`warning_codes` beside `warnings`; in Python every note of `result.summary.notes` and
+`result.warnings` has its `code`. `lapilli keys notes` prints this table, `lapilli keys
+heat.bridged-gap` one line of it.
+
+{kinds_as_markdown()}"""
 
 
 def history_page() -> str:

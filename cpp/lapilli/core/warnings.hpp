@@ -1,7 +1,9 @@
 #pragma once
 
-#include <string>
 #include <vector>
+
+#include "lapilli/core/note.hpp"
+#include "lapilli/core/physics.hpp"
 
 namespace lapilli {
 
@@ -10,7 +12,13 @@ class Warnings {
  public:
   virtual ~Warnings() = default;
   /// One sentence each; empty: nothing to say.
-  virtual std::vector<std::string> warnings() const = 0;
+  virtual std::vector<Note> warnings() const = 0;
 };
+
+/// What any physics says; nothing where it cannot.
+inline std::vector<Note> warnings_of(const Physics& physics) {
+  const auto* warner = dynamic_cast<const Warnings*>(&physics);
+  return warner != nullptr ? warner->warnings() : std::vector<Note>();
+}
 
 }  // namespace lapilli

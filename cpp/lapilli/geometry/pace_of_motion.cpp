@@ -28,15 +28,15 @@ StepReport PaceOfMotion::advance(const Step& step) {
   return {step.size, 0, 0.0};
 }
 
-std::vector<std::string> PaceOfMotion::warnings() const {
+std::vector<Note> PaceOfMotion::warnings() const {
   if (taken_ <= longest_ * (1.0 + 1e-9)) {
     return {};
   }
-  return {message("a step of ", taken_, " s is ", rounded(taken_ / longest_),
-                  " times what follows the motion past conditions that stay in space (a quarter of "
-                  "a cell of path of the fastest point, a fortieth of a turn): leave time.step "
-                  "out, or give at most ",
-                  rounded(longest_), " s")};
+  return {note("motion.long-step", "a step of ", taken_, " s is ", rounded(taken_ / longest_),
+               " times what follows the motion past conditions that stay in space (a quarter of "
+               "a cell of path of the fastest point, a fortieth of a turn): leave time.step "
+               "out, or give at most ",
+               rounded(longest_), " s")};
 }
 
 }  // namespace lapilli

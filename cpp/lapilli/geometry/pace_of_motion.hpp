@@ -17,7 +17,7 @@ class PaceOfMotion final : public Physics, public Warnings {
   StepLimit step_limit() const override;
   StepReport advance(const Step& step) override;
   std::vector<Field> fields() override { return {}; }
-  std::vector<std::string> warnings() const override;
+  std::vector<Note> warnings() const override;
   void save(Archive&) const override {}
   void load(const Archive&) override {}
 

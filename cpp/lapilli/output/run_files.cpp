@@ -83,8 +83,9 @@ void RunFiles::find_index() {
     read_index(options_.output);
   } catch (const std::exception& error) {
     const Index frames = rebuild_index(options_.output, *lock_);
-    record_.notes.push_back(message("the index was made anew from the data files, with ", frames,
-                                    " frames: ", error.what()));
+    record_.notes.push_back(note("run.index-rebuilt",
+                                 "the index was made anew from the data files, with ", frames,
+                                 " frames: ", error.what()));
   }
 }
 
@@ -105,7 +106,8 @@ Checkpoint RunFiles::newest_checkpoint() {
     }
     require_same_scene(*checkpoint, record_.fingerprint, options_.identity, path);
     if (!reason.empty()) {
-      record_.notes.push_back("resumed from the checkpoint before the last: " + reason);
+      record_.notes.push_back(
+          note("run.older-checkpoint", "resumed from the checkpoint before the last: ", reason));
     }
     return std::move(*checkpoint);
   }

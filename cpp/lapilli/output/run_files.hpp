@@ -36,7 +36,7 @@ class RunFiles {
                     const std::string& message = "");
 
   /// What the user should know.
-  const std::vector<std::string>& notes() const { return record_.notes; }
+  const std::vector<Note>& notes() const { return record_.notes; }
   const History& history() const { return history_.history(); }
   bool is_writing() const { return !options_.output.empty(); }
   Index frames() const { return writer_ ? writer_->frames() : 0; }

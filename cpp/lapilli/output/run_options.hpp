@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lapilli/core/body_volume.hpp"
+#include "lapilli/core/note.hpp"
 #include "lapilli/core/probes.hpp"
 #include "lapilli/output/frame_column.hpp"
 
@@ -36,7 +37,7 @@ struct RunOptions {
   std::vector<Probe> probes;                     // columns of the history
   int bodies = std::numeric_limits<int>::max();  // those whose points the history is about
   std::vector<std::pair<double, Index>> history;  // rows beside those of frames: s or steps
-  std::vector<std::string> notes;                 // for the record: allowed, seldom meant
+  std::vector<Note> notes;                        // for the record: allowed, seldom meant
   std::vector<BodyVolume> volumes;                // for the record
   bool checkpoint = true;                         // keep a state to resume from
   double checkpoint_interval_seconds = 0.0;       // s of wall time; 0: with every frame

@@ -56,6 +56,20 @@ void write_steps(JsonWriter& json, const RunStatistics& statistics, const Simula
   json.member("peak_memory_bytes", peak_memory());
 }
 
+void write_notes(JsonWriter& json, const char* texts, const char* codes,
+                 const std::vector<Note>& notes) {
+  json.key(texts).begin_array();
+  for (const Note& one : notes) {
+    json.value(one.text);
+  }
+  json.end_array();
+  json.key(codes).begin_array();
+  for (const Note& one : notes) {
+    json.value(std::string(one.code.text()));
+  }
+  json.end_array();
+}
+
 void write_texts(JsonWriter& json, const char* name, const std::vector<std::string>& texts) {
   json.key(name).begin_array();
   for (const std::string& text : texts) {
@@ -108,13 +122,7 @@ void write_physics(JsonWriter& json, const Physics& physics, const StageAccount&
     json.member(snake_case(name), value + earlier.sum(physics.name() + "/" + name));
   }
   json.end_object();
-  json.key("warnings").begin_array();
-  if (const auto* warner = dynamic_cast<const Warnings*>(&physics)) {
-    for (const std::string& warning : warner->warnings()) {
-      json.value(warning);
-    }
-  }
-  json.end_array();
+  write_notes(json, "warnings", "warning_codes", warnings_of(physics));
   json.key("modelled").begin_array();
   if (const auto* chooser = dynamic_cast<const SaysModel*>(&physics)) {
     for (const std::string& choice : chooser->modelled()) {
@@ -177,7 +185,7 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
   json.member("lapilli", LAPILLI_VERSION);
   json.member("status", record.status);
   json.member("message", record.message);
-  write_texts(json, "notes", record.notes);
+  write_notes(json, "notes", "note_codes", record.notes);
   write_texts(json, "not_compared", record.not_compared);
   json.member("started", record.started);
   json.member("written", utc_now());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lapilli/core/body_volume.hpp"
+#include "lapilli/core/note.hpp"
 #include "lapilli/core/simulation.hpp"
 #include "lapilli/output/history.hpp"
 
@@ -35,7 +36,7 @@ struct RunRecord {
   std::string settings;     // the scene with all defaults as a JSON object; may be empty
   std::string fingerprint;  // of the scene
   std::vector<std::string> not_compared;  // settings that no resume can compare: functions
-  std::vector<std::string> notes;         // what the user should know: "the index was made anew"
+  std::vector<Note> notes;                // what the user should know: "the index was made anew"
   std::string started;                    // UTC, "2001-02-03T04:05:06Z"
   std::string frames_file;
   Index frames = 0;

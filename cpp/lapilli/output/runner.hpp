@@ -13,7 +13,7 @@ struct RunSummary {
   double time = 0.0;  // s, simulated
   Index frames = 0;   // on disk
   RunStatistics statistics;
-  std::vector<std::string> notes;  // what the user should know
+  std::vector<Note> notes;  // what the user should know
   History history;
 };
 

@@ -249,28 +249,30 @@ std::vector<std::pair<std::string, double>> PeridynamicHeat::diagnostics() const
   return numbers;
 }
 
-std::vector<std::string> PeridynamicHeat::warnings() const {
-  std::vector<std::string> all;
+std::vector<Note> PeridynamicHeat::warnings() const {
+  std::vector<Note> all;
   if (points_move_) {
     return all;
   }
   if (const double missing = exchange_->imbalance(); missing > patch_tolerance) {
     all.push_back(
-        message("the bonds of a point miss its surface, or each other, by ", 100.0 * missing,
-                " % of their own: there heat is conducted in a linear field that should rest; "
-                "take smaller cells where the body is thin, or laplacian = \"corrected\""));
+        note("peridynamics.thin-body", "the bonds of a point miss its surface, or each other, by ",
+             100.0 * missing,
+             " % of their own: there heat is conducted in a linear field that should rest; "
+             "take smaller cells where the body is thin, or laplacian = \"corrected\""));
   } else if (settings_.laplacian != Laplacian::corrected) {
-    all.push_back(message("laplacian = \"", name_of(settings_.laplacian),
-                          "\" is there for comparison: through walls that do not fit its points it "
-                          "conducts 1 to 4 % wrong at 20 points across; leave it out"));
+    all.push_back(note("peridynamics.comparison-laplacian", "laplacian = \"",
+                       name_of(settings_.laplacian),
+                       "\" is there for comparison: through walls that do not fit its points it "
+                       "conducts 1 to 4 % wrong at 20 points across; leave it out"));
   }
   for (std::size_t k = 0; k < from_walls_.size(); ++k) {
     if (const double lost = exchange_->lost_at_ends(static_cast<int>(k)); lost > end_tolerance) {
-      all.push_back(message("wall '", walls_->walls()[k].settings.name,
-                            "' holds a temperature and ends within a side, where heat crowds: "
-                            "about ",
-                            std::round(1000.0 * lost) / 10.0,
-                            " % of its heat is missed; halve grid.cell to halve that"));
+      all.push_back(note("peridynamics.held-end", "wall '", walls_->walls()[k].settings.name,
+                         "' holds a temperature and ends within a side, where heat crowds: "
+                         "about ",
+                         std::round(1000.0 * lost) / 10.0,
+                         " % of its heat is missed; halve grid.cell to halve that"));
     }
   }
   return all;

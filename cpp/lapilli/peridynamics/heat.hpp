@@ -42,7 +42,7 @@ class PeridynamicHeat final : public Physics, public Warnings {
   std::vector<std::pair<std::string, double>> diagnostics() const override;
   /// Of points at rest: that a linear field would be given a rate, a Laplacian for comparison, heat
   /// lost where a held wall ends within a side.
-  std::vector<std::string> warnings() const override;
+  std::vector<Note> warnings() const override;
 
   const PointArray& temperature() const { return temperature_; }  // K
   PointArray& temperature() { return temperature_; }

@@ -44,7 +44,7 @@ class PeridynamicFlow final : public Flow, public Warnings {
   void load(const Archive& archive) override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
   /// That the points are too few for the layers that flow and heat form.
-  std::vector<std::string> warnings() const override;
+  std::vector<Note> warnings() const override;
 
   const PointArray& velocity() const override { return velocity_; }
   PointArray& velocity() override {

@@ -62,7 +62,7 @@ typename PeridynamicFlow<Dim>::Pace PeridynamicFlow<Dim>::pace() const {
 }
 
 template <int Dim>
-std::vector<std::string> PeridynamicFlow<Dim>::warnings() const {
+std::vector<Note> PeridynamicFlow<Dim>::warnings() const {
   // What stands still has nothing but noise, and what has hardly moved is a start.
   const Pace now = pace();
   if (now.speed * age_ <= 0.25 * now.width) {
@@ -74,20 +74,22 @@ std::vector<std::string> PeridynamicFlow<Dim>::warnings() const {
     if (off <= coarse_velocity) {
       return {};
     }
-    return {message("the points are too few for this flow: neighbours do not share ",
-                    std::round(100.0 * noise), " % of the velocity, which may be off by about ",
-                    std::round(100.0 * off), " %; take cells of ",
-                    two_digits(walls_->spacing() * resolved_velocity / off), " m")};
+    return {note("peridynamics.coarse",
+                 "the points are too few for this flow: neighbours do not share ",
+                 std::round(100.0 * noise), " % of the velocity, which may be off by about ",
+                 std::round(100.0 * off), " %; take cells of ",
+                 two_digits(walls_->spacing() * resolved_velocity / off), " m")};
   }
   const double peclet = now.speed * now.width / heat_->material().diffusivity();
   const double excess = excess_heat * noise * (1.0 - half_carried / (half_carried + peclet));
   if (excess <= coarse_excess) {
     return {};
   }
-  return {message("the points are too few for the layers of this flow: neighbours do not share ",
-                  std::round(100.0 * noise), " % of the velocity, and it may carry about ",
-                  std::round(100.0 * excess), " % too much heat; take cells of ",
-                  two_digits(walls_->spacing() * std::pow(resolved_excess / excess, 0.7)), " m")};
+  return {note("peridynamics.coarse",
+               "the points are too few for the layers of this flow: neighbours do not share ",
+               std::round(100.0 * noise), " % of the velocity, and it may carry about ",
+               std::round(100.0 * excess), " % too much heat; take cells of ",
+               two_digits(walls_->spacing() * std::pow(resolved_excess / excess, 0.7)), " m")};
 }
 
 template <int Dim>
@@ -146,7 +148,7 @@ void PeridynamicFlow<Dim>::load(const Archive& archive) {
   template void PeridynamicFlow<Dim>::refresh_output();                                           \
   template std::vector<Field> PeridynamicFlow<Dim>::fields();                                     \
   template std::vector<std::pair<std::string, double>> PeridynamicFlow<Dim>::diagnostics() const; \
-  template std::vector<std::string> PeridynamicFlow<Dim>::warnings() const;                       \
+  template std::vector<Note> PeridynamicFlow<Dim>::warnings() const;                              \
   template void PeridynamicFlow<Dim>::save(Archive& archive) const;                               \
   template void PeridynamicFlow<Dim>::load(const Archive& archive);
 LAPILLI_INSTANTIATE(1)

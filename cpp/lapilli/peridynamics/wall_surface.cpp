@@ -74,15 +74,15 @@ WallSurface::WallSurface(Points& points, std::vector<FluidWall> walls,
     if (k < 0) {
       if (!walls_.empty()) {
         const double outside = distance(at);
-        require(outside <= tolerance, "the fluid body overlaps a wall: its point at ", text_of(at),
-                " lies ", outside, " m outside the fluid region");
+        require(outside <= tolerance, "the fluid body overlaps a wall: its point at ",
+                text_of(at, points.dimension()), " lies ", outside, " m outside the fluid region");
       }
       continue;
     }
     const double depth = distance(at);
     require(depth >= -tolerance, "wall '", walls_[k].settings.name,
-            "' overlaps the fluid body: its point at ", text_of(at), " lies ", -depth,
-            " m inside the fluid region");
+            "' overlaps the fluid body: its point at ", text_of(at, points.dimension()), " lies ",
+            -depth, " m inside the fluid region");
     depth_[point] = std::max(0.0, depth);
     Vec3 gradient = slope(distance, at, points.dimension(), spacing);
     if (gradient.norm() <= 0.05) {
@@ -129,39 +129,52 @@ Vec3 WallSurface::place(Index point) const {
   return at;
 }
 
+WallSurface::Behind WallSurface::behind(Index point, double reach, const CellList& near) const {
+  Vec3 inward = Vec3::Zero();
+  for (int d = 0; d < points_.dimension(); ++d) {
+    inward[d] = -normal(point)[d];
+  }
+  Behind found{depth_[point], std::numeric_limits<double>::infinity()};
+  const Vec3 from = place(point);
+  for (double way = 0.5 * spacing_; way <= 2.0 * reach; way += 0.5 * spacing_) {
+    const Vec3 at = from + way * inward;
+    if (const double outside = region_ ? region_(at) : 0.0; outside < -0.1 * spacing_) {
+      found.to_fluid = depth_[point] + way + outside;
+      break;
+    }
+    near.each_within(at, 0.75 * spacing_, [&](Index other, double) {
+      if (wall(other) >= 0) {
+        found.filled = std::max(found.filled, depth_[point] + inward.dot(place(other) - from));
+      }
+    });
+  }
+  return found;
+}
+
 void WallSurface::require_thickness(double horizon) const {
   // A fluid point a spacing off the surface must find the wall filled to its horizon. The walls
-  // that it meets count together: how deep some wall goes along the normal of each surface point.
+  // that it meets count together: how far they go along the normal of each surface point. A wall
+  // between fluid and fluid is as thick for each of them as its half.
   const double needed = horizon - 1.05 * spacing_;
+  const auto layers = [&](double thickness) { return std::ceil(thickness / spacing_ - 0.05); };
   const CellList near(points_.position(), points_.dimension(), spacing_);
-  double thinnest = needed;
-  Index place_of = -1;
   for (Index point = 0; point < points_.size(); ++point) {
     if (wall(point) < 0 || depth_[point] >= 0.99 * spacing_) {
       continue;
     }
-    Vec3 inward = Vec3::Zero();
-    for (int d = 0; d < points_.dimension(); ++d) {
-      inward[d] = -normal(point)[d];
-    }
-    double deepest = depth_[point];
-    const auto steps = static_cast<int>(std::ceil(horizon / spacing_)) * 2;
-    for (int step = 1; step <= steps && deepest < needed; ++step) {
-      near.each_within(place(point) + 0.5 * step * spacing_ * inward, 0.75 * spacing_,
-                       [&](Index other, double) {
-                         deepest = wall(other) >= 0 ? std::max(deepest, depth_[other]) : deepest;
-                       });
-    }
-    if (deepest < thinnest) {
-      thinnest = deepest;
-      place_of = point;
-    }
-  }
-  if (place_of >= 0) {
-    require(false, "wall '", walls_[wall(place_of)].settings.name, "' is about ",
-            thinnest + 0.5 * spacing_, " m thick at ", text_of(place(place_of)),
-            ", thinner than the horizon of ", horizon, " m: give it at least ",
-            std::ceil(horizon / spacing_ - 0.5), " layers");
+    const Behind found = behind(point, horizon, near);
+    const auto where = [&] {
+      return message("wall '", walls_[wall(point)].settings.name, "' is about ",
+                     std::min(found.filled + 0.5 * spacing_, found.to_fluid), " m thick at ",
+                     text_of(place(point), points_.dimension()));
+    };
+    const double apart = 2.0 * needed + spacing_;
+    require(found.to_fluid > apart - 0.05 * spacing_, where(),
+            " with fluid on both sides, which points feel through it within their horizon of ",
+            horizon, " m: give it at least ", layers(apart), " layers (", layers(apart) * spacing_,
+            " m), or take a smaller grid.cell");
+    require(found.filled >= needed, where(), ", thinner than the horizon of ", horizon,
+            " m: give it at least ", std::ceil(horizon / spacing_ - 0.5), " layers");
   }
 }
 
@@ -183,9 +196,9 @@ void WallSurface::require_closed(const FluidDistance& distance) const {
     near.each_within(behind, 1.05 * spacing_, [&](Index other, double) {
       first = wall(other) >= 0 ? std::min(first, depth_[other]) : first;
     });
-    require(first < 1.4 * spacing_, "no wall holds the fluid at ", text_of(at), ", ",
-            std::abs(outside), " m from its surface: close the flow with walls, free surfaces are ",
-            "not modelled");
+    require(first < 1.4 * spacing_, "no wall holds the fluid at ", text_of(at, points_.dimension()),
+            ", ", std::abs(outside),
+            " m from its surface: close the flow with walls, free surfaces are ", "not modelled");
   }
 }
 

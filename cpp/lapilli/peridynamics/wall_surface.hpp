@@ -63,7 +63,7 @@ class WallSurface {
   /// by their nearest point.
   int wall_at(const Vec3& place, const Vec3& normal) const;
 
-  /// Throws std::invalid_argument, naming the thinnest place, unless the walls fill what a fluid
+  /// Throws std::invalid_argument, naming a place, unless the walls fill what a fluid
   /// point one spacing off their surface can feel within `horizon` (m).
   void require_thickness(double horizon) const;
   /// Throws std::invalid_argument, naming the place, where the fluid ends without a wall: a free
@@ -74,6 +74,13 @@ class WallSurface {
   void load(const Archive& archive);
 
  private:
+  /// What lies behind a surface point along its normal.
+  struct Behind {
+    double filled;    // m from the surface: how far wall points go
+    double to_fluid;  // m from the surface to fluid on the other side; infinite: none near
+  };
+  Behind behind(Index point, double reach, const CellList& near) const;
+
   Points& points_;
   std::vector<FluidWall> walls_;
   std::vector<int> wall_of_body_;

@@ -23,18 +23,18 @@ std::pair<std::string, std::size_t> pattern_of(const std::string& path) {
           std::stoul(path.substr(open + 1, close - open - 1))};
 }
 
-void check_path(const Scene& scene, const std::string& path, std::vector<std::string>& notes) {
+void check_path(const Scene& scene, const std::string& path, std::vector<Note>& notes) {
   const auto [pattern, index] = pattern_of(path);
   for (const IdleRule& rule : idle_rules()) {
     if (pattern == rule.pattern && rule.is_idle(scene, index)) {
-      notes.push_back(path + " has no effect: " + rule.why);
+      notes.push_back(note("scene.no-effect", path, " has no effect: ", rule.why));
     }
   }
 }
 
 // Every setting that was changed, down to the members of elements of lists.
 void visit_changed(const Scene& scene, const Tree& tree, const std::string& path,
-                   std::vector<std::string>& notes) {
+                   std::vector<Note>& notes) {
   check_path(scene, path, notes);
   if (const Tree::Table* table = tree.table()) {
     for (const Tree::Entry& entry : *table) {
@@ -72,8 +72,8 @@ struct IdleMaterial {
 
 namespace {
 
-std::vector<std::string> unused_in_one_stage(const Scene& scene) {
-  std::vector<std::string> notes;
+std::vector<Note> unused_in_one_stage(const Scene& scene) {
+  std::vector<Note> notes;
   const TreeWriter writer(Members::changed, InMemory::named);
   visit_changed(scene, {writer.write_struct(scene, ""), {}}, "", notes);
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
@@ -81,8 +81,8 @@ std::vector<std::string> unused_in_one_stage(const Scene& scene) {
       const std::string why = std::visit(IdleMaterial{scene}, material);
       if (!why.empty()) {
         const char* kind = std::visit([](const auto& known) { return known.kind; }, material);
-        notes.push_back(element_path("bodies", k) + ".material: " + kind +
-                        " has no effect: " + why);
+        notes.push_back(note("scene.no-effect", element_path("bodies", k), ".material: ", kind,
+                             " has no effect: ", why));
       }
     }
   }
@@ -91,18 +91,18 @@ std::vector<std::string> unused_in_one_stage(const Scene& scene) {
 
 }  // namespace
 
-std::vector<std::string> unused_settings(const Scene& scene) {
-  std::vector<std::string> notes = unused_in_one_stage(scene);
+std::vector<Note> unused_settings(const Scene& scene) {
+  std::vector<Note> notes = unused_in_one_stage(scene);
   std::ranges::copy(settings_left_to_run(scene), std::back_inserter(notes));
   if (scene.stages.empty()) {
     return notes;
   }
   const std::size_t of_first = notes.size();
   for (const StageScene& stage : stage_scenes(with_resolved_files(scene))) {
-    for (const std::string& note : unused_in_one_stage(stage.scene)) {
+    for (const Note& one : unused_in_one_stage(stage.scene)) {
       const auto end = notes.begin() + static_cast<std::ptrdiff_t>(of_first);
-      if (!stage.name.empty() && std::find(notes.begin(), end, note) == end) {
-        notes.push_back(message("stage ", stage.name, ": ", note));
+      if (!stage.name.empty() && std::find(notes.begin(), end, one) == end) {
+        notes.push_back(note(one.code, "stage ", stage.name, ": ", one.text));
       }
     }
   }

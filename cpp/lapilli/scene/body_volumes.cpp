@@ -102,9 +102,9 @@ std::vector<BodyVolume> body_volumes_at_start(const Scene& as_written, const Poi
   return all;
 }
 
-std::vector<std::string> packing_warnings(const Scene& scene, const Points& points) {
+std::vector<Note> packing_warnings(const Scene& scene, const Points& points) {
   const int dimension = points.dimension();
-  std::vector<std::string> all;
+  std::vector<Note> all;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const Body& body = scene.bodies[k];
     if (body.shape) {
@@ -112,25 +112,25 @@ std::vector<std::string> packing_warnings(const Scene& scene, const Points& poin
     }
     const PointBox box = box_of(points, static_cast<Index>(k));
     if (box.volume > most_packed * box.room(dimension)) {
-      all.push_back(message("the points of ", body.name.empty() ? message("body ", k) : body.name,
-                            " hold ", box.volume, " m^", dimension, ", the box around them ",
-                            box.room(dimension),
-                            ": their volumes overlap; are they in another unit?"));
+      all.push_back(note("bodies.packed-points", "the points of ",
+                         body.name.empty() ? message("body ", k) : body.name, " hold ", box.volume,
+                         " m^", dimension, ", the box around them ", box.room(dimension),
+                         ": their volumes overlap; are they in another unit?"));
     }
   }
   return all;
 }
 
-std::vector<std::string> volume_warnings(const std::vector<BodyVolume>& volumes, int dimension) {
+std::vector<Note> volume_warnings(const std::vector<BodyVolume>& volumes, int dimension) {
   constexpr const char* sizes[] = {"length", "area", "volume"};
-  std::vector<std::string> all;
+  std::vector<Note> all;
   for (const BodyVolume& body : volumes) {
     const double share = body.of_shape ? body.volume / *body.of_shape - 1.0 : 0.0;
     if (std::abs(share) > allowed_share) {
-      all.push_back(message("the points of ", body.name, " hold ",
-                            0.01 * std::round(1e4 * std::abs(share)), " % ",
-                            share > 0.0 ? "more" : "less", " ", sizes[dimension - 1],
-                            " than its shape: set fill = \"exact\", or choose smaller cells"));
+      all.push_back(note("bodies.volume", "the points of ", body.name, " hold ",
+                         0.01 * std::round(1e4 * std::abs(share)), " % ",
+                         share > 0.0 ? "more" : "less", " ", sizes[dimension - 1],
+                         " than its shape: set fill = \"exact\", or choose smaller cells"));
     }
   }
   return all;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lapilli/core/body_volume.hpp"
+#include "lapilli/core/note.hpp"
 #include "lapilli/scene/scene.hpp"
 
 namespace lapilli {
@@ -19,10 +20,10 @@ std::vector<BodyVolume> body_volumes(const Scene& scene, const Points& points);
 std::vector<BodyVolume> body_volumes_at_start(const Scene& scene, const Points& points);
 
 /// A warning for each body whose points hold over 0.1 % more or less than its shape.
-std::vector<std::string> volume_warnings(const std::vector<BodyVolume>& volumes, int dimension);
+std::vector<Note> volume_warnings(const std::vector<BodyVolume>& volumes, int dimension);
 
 /// A warning for each body given by points whose volumes overlap: they hold over 1.5 times the box
 /// around them.
-std::vector<std::string> packing_warnings(const Scene& scene, const Points& points);
+std::vector<Note> packing_warnings(const Scene& scene, const Points& points);
 
 }  // namespace lapilli

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lapilli/core/note.hpp"
 #include "lapilli/scene/scene.hpp"
 
 namespace lapilli {
@@ -41,11 +42,16 @@ struct CheckReport {
   std::string step_reason;
   Index steps = 0;  // of the first stage
   std::vector<StageReport> stages;
-  double memory = 0.0;             // bytes, estimated from the sizes of arrays
-  double output = 0.0;             // bytes on disk, estimated
-  double seconds_to_build = 0.0;   // measured
-  double seconds_to_run = 0.0;     // extrapolated from the first steps
-  std::vector<std::string> notes;  // settings that are allowed and seldom meant
+  double memory = 0.0;            // bytes, estimated from the sizes of arrays
+  double output = 0.0;            // bytes on disk, estimated
+  double seconds_to_build = 0.0;  // measured
+  double seconds_to_run = 0.0;    // extrapolated from the first steps
+  std::vector<Note> notes;        // settings that are allowed and seldom meant
+
+  template <class... Parts>
+  void say(NoteCode code, const Parts&... parts) {
+    notes.push_back(note(code, parts...));
+  }
 };
 
 /// Build the scene, run its first few steps and say what it is; a large one is described by its

@@ -17,6 +17,16 @@ Tree list_of(const std::vector<std::string>& words) {
   return {std::move(array), {}};
 }
 
+/// A member of every note, in their order.
+template <class Member>
+Tree members_of(const std::vector<Note>& notes, const Member& member) {
+  Tree::Array array;
+  for (const Note& one : notes) {
+    array.push_back({std::string(member(one)), {}});
+  }
+  return {std::move(array), {}};
+}
+
 Tree stages_of(const CheckReport& report) {
   Tree::Array all;
   for (const CheckReport::StageReport& stage : report.stages) {
@@ -69,8 +79,8 @@ std::string text_of(const CheckReport& report) {
     text += message("time          about ", readable_time(report.seconds_to_run), ", and ",
                     readable_time(report.seconds_to_build), " to build\n");
   }
-  for (const std::string& note : report.notes) {
-    text += message("note          ", note, "\n");
+  for (const Note& one : report.notes) {
+    text += message("note          ", with_code(one), "\n");
   }
   return text;
 }
@@ -91,25 +101,30 @@ std::string json_of(const CheckReport& report) {
           .push_back({"volume_of_shape", {}, {*body.volume_of_shape, {}}});
     }
   }
-  return emit_json({Tree::Table{{"title", {}, {report.title, {}}},
-                                {"dimension", {}, {Index{report.dimension}, {}}},
-                                {"cells", {}, {std::move(cells), {}}},
-                                {"nodes", {}, {report.nodes, {}}},
-                                {"bodies", {}, {std::move(bodies), {}}},
-                                {"points", {}, {report.points, {}}},
-                                {"modelled", {}, list_of(report.modelled)},
-                                {"not_modelled", {}, list_of(report.not_modelled)},
-                                {"step", {}, {report.step, {}}},
-                                {"hard_limit", {}, {report.hard_limit, {}}},
-                                {"step_reason", {}, {report.step_reason, {}}},
-                                {"steps", {}, {report.steps, {}}},
-                                {"stages", {}, stages_of(report)},
-                                {"memory", {}, {report.memory, {}}},
-                                {"output", {}, {report.output, {}}},
-                                {"seconds_to_build", {}, {report.seconds_to_build, {}}},
-                                {"seconds_to_run", {}, {report.seconds_to_run, {}}},
-                                {"notes", {}, list_of(report.notes)}},
-                    {}});
+  return emit_json(
+      {Tree::Table{
+           {"title", {}, {report.title, {}}},
+           {"dimension", {}, {Index{report.dimension}, {}}},
+           {"cells", {}, {std::move(cells), {}}},
+           {"nodes", {}, {report.nodes, {}}},
+           {"bodies", {}, {std::move(bodies), {}}},
+           {"points", {}, {report.points, {}}},
+           {"modelled", {}, list_of(report.modelled)},
+           {"not_modelled", {}, list_of(report.not_modelled)},
+           {"step", {}, {report.step, {}}},
+           {"hard_limit", {}, {report.hard_limit, {}}},
+           {"step_reason", {}, {report.step_reason, {}}},
+           {"steps", {}, {report.steps, {}}},
+           {"stages", {}, stages_of(report)},
+           {"memory", {}, {report.memory, {}}},
+           {"output", {}, {report.output, {}}},
+           {"seconds_to_build", {}, {report.seconds_to_build, {}}},
+           {"seconds_to_run", {}, {report.seconds_to_run, {}}},
+           {"notes", {}, members_of(report.notes, [](const Note& one) { return one.text; })},
+           {"note_codes",
+            {},
+            members_of(report.notes, [](const Note& one) { return one.code.text(); })}},
+       {}});
 }
 
 }  // namespace lapilli

@@ -37,10 +37,10 @@ void describe_stages(const Scene& scene, Simulation& simulation, CheckReport& re
         state = state_of(trial);
       }
     } catch (const std::invalid_argument& error) {
-      report.notes.push_back(message("stage ", stage.name,
-                                     " cannot begin from the start of the run (it may from where "
-                                     "the stage before ends): ",
-                                     error.what()));
+      report.notes.push_back(note("stages.cannot-begin", "stage ", stage.name,
+                                  " cannot begin from the start of the run (it may from where "
+                                  "the stage before ends): ",
+                                  error.what()));
       state.reset();  // nor can what follows it be made
     }
     report.stages.push_back(std::move(one));

@@ -70,7 +70,7 @@ void measure_steps(const Scene& scene, Simulation& simulation, CheckReport& repo
       seconds_of_others = seconds_since(start);
     }
   } catch (const RunError& error) {
-    report.notes.push_back(message("fails soon: ", error.what()));
+    report.notes.push_back(note("run.fails-soon", "fails soon: ", error.what()));
   }
   double left = 0.0, left_cost = 0.0;  // in steps like those taken
   const StepsAhead chosen = chosen_steps(simulation);

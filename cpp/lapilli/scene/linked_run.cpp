@@ -89,8 +89,8 @@ bool has_temperatures(const Archive& state) {
                              [](const auto& array) { return array.first.starts_with("heat/"); });
 }
 
-std::vector<std::string> left_to(const LinkedRun& run, const Scene& scene) {
-  std::vector<std::string> notes;
+std::vector<Note> left_to(const LinkedRun& run, const Scene& scene) {
+  std::vector<Note> notes;
   const bool with_heat = scene.heat && has_temperatures(*run.state);
   const std::vector<int> before = bodies_before(scene, run);
   const TreeWriter writer(Members::changed, InMemory::named);
@@ -101,8 +101,8 @@ std::vector<std::string> left_to(const LinkedRun& run, const Scene& scene) {
     const Tree body = {writer.write_struct(scene.bodies[k], ""), {}};
     for (const Tree::Entry& entry : *body.table()) {
       if (is_of_start(entry.name) || (with_heat && entry.name == "temperature")) {
-        notes.push_back(message(element_path("bodies", k), ".", entry.name,
-                                " has no effect: the body goes on from initial_state"));
+        notes.push_back(note("scene.no-effect", element_path("bodies", k), ".", entry.name,
+                             " has no effect: the body goes on from initial_state"));
       }
     }
   }
@@ -139,7 +139,7 @@ std::vector<int> bodies_before(const Scene& scene, const LinkedRun& run) {
   return before;
 }
 
-std::vector<std::string> settings_left_to_run(const Scene& scene) {
+std::vector<Note> settings_left_to_run(const Scene& scene) {
   if (scene.initial_state.empty()) {
     return {};
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lapilli/core/archive.hpp"
+#include "lapilli/core/note.hpp"
 #include "lapilli/scene/scene.hpp"
 
 namespace lapilli {
@@ -24,6 +25,6 @@ std::vector<int> bodies_before(const Scene& scene, const LinkedRun& run);
 
 /// Settings of bodies that go on from another run and do not start as they say, one line each;
 /// nothing where the checkpoint cannot be read.
-std::vector<std::string> settings_left_to_run(const Scene& scene);
+std::vector<Note> settings_left_to_run(const Scene& scene);
 
 }  // namespace lapilli

@@ -67,14 +67,12 @@ std::string summary_text(const Simulation& simulation, const RunSummary& summary
                               balance.residual()));
   }
   for (const auto& physics : simulation.physics()) {
-    if (const auto* warner = dynamic_cast<const Warnings*>(physics.get())) {
-      for (const std::string& warning : warner->warnings()) {
-        text += "warning: " + warning + "\n";
-      }
+    for (const Note& warning : warnings_of(*physics)) {
+      text += "warning: " + with_code(warning) + "\n";
     }
   }
-  for (const std::string& note : summary.notes) {
-    text += "note: " + note + "\n";
+  for (const Note& one : summary.notes) {
+    text += "note: " + with_code(one) + "\n";
   }
   return text;
 }

@@ -80,8 +80,8 @@ std::function<SymmetricTensor(const Vec3&)> StressAtStart::of(std::size_t body) 
   };
 }
 
-std::vector<std::string> StressAtStart::notes() const {
-  std::vector<std::string> all;
+std::vector<Note> StressAtStart::notes() const {
+  std::vector<Note> all;
   for (const auto& [body, worst] : worst_) {
     if (worst.not_borne == 0) {
       continue;
@@ -90,13 +90,13 @@ std::vector<std::string> StressAtStart::notes() const {
     const std::string name =
         which.name.empty() ? message("body ", body) : message("body '", which.name, "'");
     const std::string at = text_of(worst.place, dimension_of(scene_));
-    std::string text =
-        message("geostatic k0 = ", which.geostatic->k0, " is more than the strength of ", name,
-                " bears at ", worst.not_borne, " of ", worst.asked, " points: at ", at);
-    text += worst.borne ? message(" it bears ", worst.borne->lower, " to ", worst.borne->upper,
-                                  ", and such points start with the nearest that they bear")
-                        : message(" it bears none, and the body starts to yield at once");
-    all.push_back(std::move(text));
+    Note said = note("dynamics.k0-beyond-strength", "geostatic k0 = ", which.geostatic->k0,
+                     " is more than the strength of ", name, " bears at ", worst.not_borne, " of ",
+                     worst.asked, " points: at ", at);
+    said.text += worst.borne ? message(" it bears ", worst.borne->lower, " to ", worst.borne->upper,
+                                       ", and such points start with the nearest that they bear")
+                             : message(" it bears none, and the body starts to yield at once");
+    all.push_back(std::move(said));
   }
   return all;
 }

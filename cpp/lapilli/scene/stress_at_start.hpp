@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lapilli/core/note.hpp"
 #include "lapilli/mpm/dynamics/overburden.hpp"
 #include "lapilli/scene/bearable_k0.hpp"
 #include "lapilli/scene/scene.hpp"
@@ -23,7 +24,7 @@ class StressAtStart {
   /// Where the strength of the body does not bear its k0, the nearest that it bears.
   std::function<SymmetricTensor(const Vec3&)> of(std::size_t body) const;
   /// On the bodies whose k0 was not borne at the places asked for so far.
-  std::vector<std::string> notes() const;
+  std::vector<Note> notes() const;
 
  private:
   /// The place of a body that was farthest from its k0.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/asks_for_points.hpp"
@@ -62,8 +63,8 @@ void validate_heat(const Scene& scene) {
 
 namespace {
 
-/// That temperatures under radiation look like degrees Celsius; empty if not.
-std::string celsius_warning(const Scene& scene) {
+/// That temperatures under radiation look like degrees Celsius; none if not.
+std::optional<Note> celsius_warning(const Scene& scene) {
   constexpr double warm = 150.0;  // K; little that radiates is colder, much is hotter in Celsius
   if (!radiates(scene) || scene.heat->unit) {
     return {};
@@ -75,14 +76,14 @@ std::string celsius_warning(const Scene& scene) {
   if (highest >= warm) {
     return {};
   }
-  return message("no temperature is above ", highest,
-                 " K though surfaces radiate: are they degrees Celsius? Say heat.temperature_unit "
-                 "= \"celsius\" or \"kelvin\"");
+  return note("heat.celsius", "no temperature is above ", highest,
+              " K though surfaces radiate: are they degrees Celsius? Say heat.temperature_unit "
+              "= \"celsius\" or \"kelvin\"");
 }
 
 /// Convection on the nodes of the band holds them all where it is strong.
-std::vector<std::string> strong_convection_warnings(const Scene& scene) {
-  std::vector<std::string> all;
+std::vector<Note> strong_convection_warnings(const Scene& scene) {
+  std::vector<Note> all;
   double least = std::numeric_limits<double>::infinity();  // W/(m K)
   for (const Body& body : scene.bodies) {
     if (const auto* thermal = material_in<Thermal>(body)) {
@@ -96,8 +97,9 @@ std::vector<std::string> strong_convection_warnings(const Scene& scene) {
     }
     const double cells = coefficient->largest() * scene.grid.cell / least;
     if (cells > 1.0 && std::isfinite(cells)) {
-      all.push_back(message(
-          "heat.boundaries.", law, ": its coefficient is ", std::round(10.0 * cells) / 10.0,
+      all.push_back(note(
+          "heat.strong-convection", "heat.boundaries.", law, ": its coefficient is ",
+          std::round(10.0 * cells) / 10.0,
           " times conductivity / cell, on bodies that deform or are known by their points: heat is "
           "2 to 5 % too large at 2.5 times, 4 to 11 % at 25; smaller cells, or a held "
           "temperature"));
@@ -108,13 +110,13 @@ std::vector<std::string> strong_convection_warnings(const Scene& scene) {
 
 /// Parts of surfaces that deforming bodies have: the heat is concentrated at the ends of one that
 /// is held, within a cell of which points tell little.
-std::vector<std::string> held_part_warnings(const Scene& scene) {
-  std::vector<std::string> all;
+std::vector<Note> held_part_warnings(const Scene& scene) {
+  std::vector<Note> all;
   for (std::size_t law = 0; law < scene.heat->boundaries.size(); ++law) {
     const HeatBoundary& boundary = scene.heat->boundaries[law];
     if (holds_temperature(boundary) && region_of(boundary) != nullptr) {
-      all.push_back(message(
-          "heat.boundaries.", law,
+      all.push_back(note(
+          "heat.held-part", "heat.boundaries.", law,
           ": holds the temperature within a region, on bodies that deform ",
           "or are known by their points: where the region ends on a surface, heat is off by about ",
           "4 % for a part 10 cells (", 10.0 * scene.grid.cell, " m) wide, in proportion to cell ",
@@ -125,26 +127,30 @@ std::vector<std::string> held_part_warnings(const Scene& scene) {
 }
 
 /// A temperature exactly at a single melting point says nothing of the state there.
-std::string melting_point_note(const Body& body, std::size_t k) {
+std::optional<Note> melting_point_note(const Body& body, std::size_t k) {
   const auto* thermal = material_in<Thermal>(body);
   const bool at_it = thermal != nullptr && thermal->melts() && body.temperature.is_constant() &&
                      thermal->melting_begins() == thermal->melting_ends() &&
                      body.temperature.at(0.0) == thermal->melting_begins();
-  return at_it ? message("bodies.", k, ".temperature is the melting point itself: the body starts ",
-                         "solid; set it a little above to start liquid")
-               : std::string();
+  if (!at_it) {
+    return {};
+  }
+  return note("heat.melting-point-start", "bodies.", k,
+              ".temperature is the melting point itself: the body starts ",
+              "solid; set it a little above to start liquid");
 }
 
 /// A start has one instant: of a table in time the value there is taken, and no other.
-std::string start_note(const Body& body, std::size_t k) {
+std::optional<Note> start_note(const Body& body, std::size_t k) {
   const Value& start = body.temperature;
   if (!std::holds_alternative<Table>(start.form()) || start.least() == start.largest()) {
     return {};
   }
   const std::string name = body.name.empty() ? std::string() : message(" (", body.name, ")");
-  return message("bodies.", k, ".temperature", name, " is a table in time, of which only ",
-                 start.at(0.0), ", the value at the start, is taken: what holds a temperature ",
-                 "later is a boundary condition");
+  return note("heat.start-table", "bodies.", k, ".temperature", name,
+              " is a table in time, of which only ", start.at(0.0),
+              ", the value at the start, is taken: what holds a temperature ",
+              "later is a boundary condition");
 }
 
 /// Whether a turn leaves the conductivity as it is.
@@ -159,7 +165,7 @@ bool is_isotropic(const Thermal& thermal, int dimension) {
 
 /// Conductivities are given, and stay, along the axes of the grid, but for bodies that one rigid
 /// motion moves, whose axes turn with it.
-std::string axes_note(const Scene& scene, std::size_t k) {
+std::optional<Note> axes_note(const Scene& scene, std::size_t k) {
   const Body& body = scene.bodies[k];
   const auto* thermal = material_in<Thermal>(body);
   if (!scene.heat || thermal == nullptr || is_isotropic(*thermal, dimension_of(scene))) {
@@ -170,13 +176,16 @@ std::string axes_note(const Scene& scene, std::size_t k) {
   const bool turns =
       scene.dynamics || (body.motion && !std::holds_alternative<Translation>(*body.motion));
   if (by_points && turns) {
-    return message("bodies.", k, ".material: the axes of its conductivity stay those of the grid ",
-                   "where the body turns");
+    return note("heat.conductivity-axes", "bodies.", k,
+                ".material: the axes of its conductivity stay those of the grid ",
+                "where the body turns");
   }
-  return body.rotation != 0.0
-             ? message("bodies.", k, ".rotation does not turn the conductivity, which is given ",
-                       "along the axes of the grid")
-             : std::string();
+  if (body.rotation == 0.0) {
+    return {};
+  }
+  return note("heat.conductivity-axes", "bodies.", k,
+              ".rotation does not turn the conductivity, which is given ",
+              "along the axes of the grid");
 }
 
 }  // namespace
@@ -189,26 +198,26 @@ bool is_heat_of_points(const Scene& scene) {
                      [](const Body& body) { return !body.shape; });
 }
 
-std::vector<std::string> heat_warnings(const Scene& scene) {
-  std::vector<std::string> all;
-  if (std::string celsius = celsius_warning(scene); !celsius.empty()) {
-    all.push_back(std::move(celsius));
+std::vector<Note> heat_warnings(const Scene& scene) {
+  std::vector<Note> all;
+  if (const std::optional<Note> celsius = celsius_warning(scene)) {
+    all.push_back(*celsius);
   }
   for (std::size_t k = 0; scene.heat && k < scene.bodies.size(); ++k) {
     // Measured on disks and squares: lattices and jitter of a quarter, then random points.
     if (!scene.bodies[k].shape && !scene.heat->boundaries.empty()) {
-      all.push_back(message("bodies.", k,
-                            " is known by its points alone: the area of its surface is right to 1 "
-                            "to 2 %, of points strewn at random to 8 %, and does not converge; "
-                            "give its shape"));
+      all.push_back(note("heat.surface-of-points", "bodies.", k,
+                         " is known by its points alone: the area of its surface is right to 1 "
+                         "to 2 %, of points strewn at random to 8 %, and does not converge; "
+                         "give its shape"));
     }
   }
   for (std::size_t k = 0; !without_heat(scene) && k < scene.bodies.size(); ++k) {
     const Body& body = scene.bodies[k];
-    for (std::string note :
+    for (const std::optional<Note>& one :
          {start_note(body, k), melting_point_note(body, k), axes_note(scene, k)}) {
-      if (!note.empty()) {
-        all.push_back(std::move(note));
+      if (one) {
+        all.push_back(*one);
       }
     }
   }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lapilli/core/note.hpp"
 #include "lapilli/scene/scene.hpp"
 
 namespace lapilli {
@@ -17,6 +18,6 @@ bool is_heat_of_points(const Scene& scene);
 /// What is not wrong but looks like a slip or costs accuracy: temperatures under radiation that
 /// look like degrees Celsius, melting points and axes, surfaces known by points alone, strong
 /// convection.
-std::vector<std::string> heat_warnings(const Scene& scene);
+std::vector<Note> heat_warnings(const Scene& scene);
 
 }  // namespace lapilli

@@ -10,6 +10,7 @@ from lapilli import _core
 from lapilli.commands.codes import FINISHED
 from lapilli.commands.options import Json, Quiet, Verbose
 from lapilli.console import print_json
+from lapilli.note import KINDS, kinds_as_markdown
 from lapilli.point_fields import fields_as_markdown
 
 
@@ -18,7 +19,7 @@ def command(
         str,
         Parameter(
             help="one section (heat, heat.boundaries, shape, annulus); history: what runs record "
-            "in time; fields: what frames hold"
+            "in time; fields: what frames hold; notes: every note, or the code of one"
         ),
     ] = "",
     /,
@@ -29,12 +30,20 @@ def command(
 ) -> int:
     """List the keys of a scene file: unit, range, default, meaning."""
     del quiet, verbose
-    text = fields_as_markdown() if section == "fields" else _core.keys_as_markdown(section)
+    if section in ("fields", "notes", *KINDS):
+        text = fields_as_markdown() if section == "fields" else kinds_as_markdown(code_in(section))
+    else:
+        text = _core.keys_as_markdown(section)
     if json:
         print_json(tables(text))
     else:
         print(text, end="")
     return FINISHED
+
+
+def code_in(section: str) -> str:
+    """The note that is asked for; empty: all."""
+    return "" if section == "notes" else section
 
 
 def tables(markdown: str) -> list[dict[str, str]]:

@@ -72,7 +72,10 @@ def as_json(result: Result, output: Path) -> dict[str, Any]:
         "last": {
             name: float(values[-1]) for name, values in summary.history.items() if len(values)
         },
+        "notes": summary.notes,
+        "note_codes": [one.code for one in summary.notes],
         "warnings": result.warnings,
+        "warning_codes": [one.code for one in result.warnings],
         "output": str(output),
         "record": str(output.with_suffix(".json")),
     }

@@ -73,7 +73,7 @@ def command(
     """Measure error against cost.
 
     Cost is building, stepping and output, as a user waits for them. Exit code 1 when no setting
-    worked.
+    worked, or none is within the target.
     """
     del verbose
     from lapilli.study.own_files import require_own_files

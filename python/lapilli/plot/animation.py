@@ -111,7 +111,7 @@ def _move(axes: Sequence[Any], views: Sequence[View], drawn: Sequence[Any]) -> N
     for panel, view, dots in zip(axes, views, drawn, strict=True):
         dots.set_offsets(view.shown)
         dots.set_array(view.values[view.rows])
-        panel.set_title(f"t = {view.time:.5g} s", fontsize=10)
+        panel.set_title(view.title, fontsize=10)
 
 
 def _pixels(figure: Figure) -> Image:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from lapilli.components import label
+from lapilli.components import label, typeset
 from lapilli.frames import Frames
 from lapilli.plot.canvas import require_matplotlib
 from lapilli.plot.picture import Source, frames_of
@@ -40,7 +40,7 @@ def draw_history(
         for name in chosen(columns, list(units)):
             of_run = f"{run.path.stem}: {name}" if len(runs) > 1 else name
             by_unit.setdefault(units[name], []).append((of_run, history["time"], history[name]))
-    return _curves({unit or "1": curves for unit, curves in by_unit.items()}, save)
+    return _curves({typeset(unit) or "no unit": one for unit, one in by_unit.items()}, save)
 
 
 def draw_probe(

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from lapilli.components import typeset
 from lapilli.frames import Frame
 from lapilli.plot.view import View
 
@@ -21,7 +22,7 @@ KEY_ABOVE = 0.12  # inches between the frame and the key of arrows
 def draw_vectors(axes: Axes, frame: Frame, view: View, field: str) -> Any:
     """Arrows of a vector field at points spread evenly over the picture; the longest is as long as
     the distance between arrows, and a key names its size."""
-    if field not in frame.frames.fields:
+    if field not in frame.frames.readable:
         raise ValueError(f"no field {field!r} to draw as arrows")
     values = frame[field]
     if values.ndim != 2 or values.shape[1] != 3:
@@ -49,7 +50,7 @@ def draw_vectors(axes: Axes, frame: Frame, view: View, field: str) -> Any:
         edgecolor="white",
         linewidth=0.4,
     )
-    unit = frame.frames.unit(field)
+    unit = typeset(frame.frames.unit(field))
     axes.set_title(f"{axes.get_title()}\n", fontsize=10)  # a line for the key
     axes.quiverkey(
         drawn,

@@ -131,7 +131,7 @@ def paint(
 
 def draw_view(axes: Axes, view: View, limits: Limits, colours: str) -> Any:
     """Points coloured by their values; in one dimension a curve."""
-    axes.set_title(f"t = {view.time:.5g} s", fontsize=10)
+    axes.set_title(view.title, fontsize=10)
     axes.locator_params(axis="x", nbins=6)  # numbers of many digits side by side
     axes.set_xlabel(NAMES[view.axes[0]])
     if not view.is_plane:

@@ -29,6 +29,12 @@ class View:
     values: Array  # (points,)
     label: str
     time: float
+    part: str  # which part of a body in space is shown; empty: all
+
+    @property
+    def title(self) -> str:
+        """When and where."""
+        return f"t = {self.time:.5g} s" + (f", {self.part}" if self.part else "")
 
     @property
     def is_plane(self) -> bool:
@@ -52,7 +58,7 @@ def drawn_field(frames: Frames, wanted: str | None) -> str:
     if not frames.fields:
         raise ValueError(f"{frames.path} holds no fields")
     if wanted is not None:
-        require_field(wanted, frames.fields, frames.path)
+        require_field(wanted, frames.readable, frames.path)
         return wanted
     rest = [name for name in frames.fields if name not in QUIET]
     usual = [name for name in ("temperature", "displacement", "velocity") if name in rest]
@@ -66,7 +72,7 @@ def view_of(frame: Frame, name: str, style: Style | None = None) -> View:
     position, volume, body = frame.position, frame["volume"], frame["body"]
     everything = frame[parted(name)[0]]
     spacing = _spacing(volume, body, frames.dimension)
-    axes, shown = _seen(position, spacing, frames.dimension, style)
+    axes, shown, part = _seen(position, spacing, frames.dimension, style)
     is_wall = body[shown] >= frames.body_count
     rows = shown[~is_wall]
     if not len(rows):
@@ -76,7 +82,7 @@ def view_of(frame: Frame, name: str, style: Style | None = None) -> View:
         values = component_of(everything, name)
     except KeyError as error:
         raise ValueError(error.args[0]) from None
-    return View(axes, rows, shown[is_wall], position, spacing, values, title, frame.time)
+    return View(axes, rows, shown[is_wall], position, spacing, values, title, frame.time, part)
 
 
 def _spacing(volume: Array, body: Array, dimension: int) -> Array:
@@ -90,19 +96,21 @@ def _spacing(volume: Array, body: Array, dimension: int) -> Array:
 
 def _seen(
     position: Array, spacing: Array, dimension: int, style: Style
-) -> tuple[tuple[int, ...], Array]:
-    """The axes drawn and the points shown, from the back to the front."""
+) -> tuple[tuple[int, ...], Array, str]:
+    """The axes drawn, the points shown, from the back to the front, and in words which they are."""
     everything = np.arange(len(position))
     if dimension < 3:
         if style.cut is not None:
             raise ValueError("a cut is for scenes in space")
-        return ((0,) if dimension == 1 else (0, 1)), everything
+        return ((0,) if dimension == 1 else (0, 1)), everything, ""
     axis, place = style.plane()
     axes = {0: (1, 2), 1: (0, 2), 2: (0, 1)}[axis]
     depth = position[:, axis] if axis != 1 else -position[:, axis]  # towards the eye
     if style.cut is None:  # the half behind the middle; the cut is painted last
-        return axes, np.argsort(depth, kind="stable")[: (len(depth) + 1) // 2]
-    middle = 0.5 * (position[:, axis].min() + position[:, axis].max())
-    away = np.abs(position[:, axis] - (middle if place is None else place))
+        behind = np.argsort(depth, kind="stable")[: (len(depth) + 1) // 2]
+        return axes, behind, f"cut open at y = {position[behind[-1], axis]:.3g} m"
+    if place is None:
+        place = 0.5 * (position[:, axis].min() + position[:, axis].max())
+    away = np.abs(position[:, axis] - place)
     near = np.flatnonzero(away <= 0.75 * spacing)
-    return axes, near[np.argsort(-away[near], kind="stable")]
+    return axes, near[np.argsort(-away[near], kind="stable")], f"{'xyz'[axis]} = {place:.3g} m"

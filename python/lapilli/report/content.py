@@ -8,7 +8,10 @@ from typing import Any
 
 from lapilli import _core
 from lapilli._core import Scene
+from lapilli.components import typeset
+from lapilli.console import finite
 from lapilli.html import table
+from lapilli.note import notes_in
 
 Record = dict[str, Any]
 
@@ -24,9 +27,16 @@ def status_line(record: Record) -> str:
 
 def warnings_of(record: Record) -> str:
     """What a user should know, as a list."""
-    said = [("warning", text) for physics in record["physics"] for text in physics["warnings"]]
-    said += [("note", text) for text in record["notes"]]
-    items = "".join(f'<li class="{kind}">{kind}: {html.escape(text)}</li>' for kind, text in said)
+    said = [
+        ("warning", one)
+        for physics in record["physics"]
+        for one in notes_in(physics, "warnings", "warning_codes")
+    ]
+    said += [("note", one) for one in notes_in(record, "notes", "note_codes")]
+    items = "".join(
+        f'<li class="{kind}">{kind}: {html.escape(one.line if one.code else one)}</li>'
+        for kind, one in said
+    )
     return f"<ul>{items}</ul>" if items else ""
 
 
@@ -38,6 +48,13 @@ def models(record: Record) -> str:
             ("modelled", ", ".join(check["modelled"])),
             ("not modelled", ", ".join(check["not_modelled"])),
             ("grid", " x ".join(map(str, check["cells"])) + f" cells, {check['nodes']:,} nodes"),
+        ]
+        rows += [
+            (
+                f"stage {one['name']}",
+                f"{one['start']:g} to {one['end']:g} s; {', '.join(one['changes'])}",
+            )
+            for one in check["stages"]
         ]
     except (ValueError, OSError) as error:
         rows = [("modelled", f"the scene cannot be built again: {error}")]
@@ -64,7 +81,9 @@ def balance_rows(record: Record) -> str:
             rows += [("supplied in all", one["supplied"]), ("stored at the end", one["stored"])]
             lines = [(name, f"{value:.6g}") for name, value in rows]
             lines.append(("residual (relative)", f"{one['residual']:.1e}"))
-            tables.append(table((f"{physics['name']}: {one['quantity']}", one["unit"]), lines))
+            tables.append(
+                table((f"{physics['name']}: {one['quantity']}", typeset(one["unit"])), lines)
+            )
     return "".join(tables)
 
 
@@ -92,13 +111,15 @@ def charts(record: Record) -> list[dict[str, Any]]:
     times = record["history"]["time"]
     groups: dict[tuple[str, str], list[dict[str, Any]]] = {}
     for column in record["history_columns"]:
-        values = record["history"][column["name"]]
+        # What a stage does not have is no number, and JSON has no word for it.
+        said = record["history"][column["name"]]
+        values = finite([None if one is None else float(one) for one in said])
         numbers = [value for value in values if value is not None]
         if not numbers or (len(set(numbers)) == 1 and numbers[0] == 0):
             continue  # nothing happened there
         owner = column["name"].partition("/")[0] if "/" in column["name"] else "probes"
         curve = {"name": column["name"], "meaning": column["meaning"], "values": values}
-        groups.setdefault((owner, column["unit"]), []).append(curve)
+        groups.setdefault((owner, typeset(column["unit"])), []).append(curve)
     first = sorted(groups.items(), key=lambda group: group[0][0] != "probes")
     return [
         {"title": owner, "unit": unit, "times": times, "curves": curves}

@@ -31,7 +31,7 @@ def stepped_pictures(
     times = [float(frames.times[k]) for k in numbers]
     drawn = []
     for field in usual_fields(frames) if fields is None else fields:
-        require_field(field, frames.fields, frames.path)
+        require_field(field, frames.readable, frames.path)
         images = [as_url(image) for image in pictures([frames], field, style, 110, numbers)]
         drawn.append({"field": field, "times": times, "images": images})
     return drawn

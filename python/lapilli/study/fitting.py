@@ -7,28 +7,29 @@ import math
 from collections.abc import Sequence
 
 from lapilli._core import Scene
+from lapilli.note import Note, note
 from lapilli.study.settings import Setting
 
 FARTHEST = 0.25  # of a cell, that rounding may change it; beyond, the grid grows
 
 
-def fitted(settings: Sequence[Setting], scene: Scene) -> tuple[list[Setting], list[str]]:
+def fitted(settings: Sequence[Setting], scene: Scene) -> tuple[list[Setting], list[Note]]:
     """The settings with cells that divide their grid, each once, and what was changed."""
     kept: dict[Setting, None] = {}
-    notes: dict[str, None] = {}
+    notes: dict[Note, None] = {}
     for setting in settings:
         changes = dict(setting.changes)
         changed = Setting(setting.changes).applied(scene) if "grid.cell" in changes else None
         cell = None if changed is None else fitting_cell(changed)
         if cell is not None:
-            notes[f"grid.cell={changes['grid.cell']} does not fit the grid: {cell!r} instead"] = (
-                None
-            )
+            words = f"grid.cell={changes['grid.cell']} does not fit the grid: {cell!r} instead"
+            notes[note("study.cell-fitted", words)] = None
             changes["grid.cell"] = repr(cell)
         elif changed is not None and not fits(changed):
             upper = grown(changed)
             if upper is not None:
-                notes[f"grid.cell={changes['grid.cell']}: the grid grows to {upper} m"] = None
+                words = f"grid.cell={changes['grid.cell']}: the grid grows to {upper} m"
+                notes[note("study.grid-grown", words)] = None
                 changes["grid.upper"] = str(upper)
         kept[Setting(tuple(changes.items()))] = None
     return list(kept), list(notes)

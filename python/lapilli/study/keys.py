@@ -11,6 +11,7 @@ from typing import Protocol
 
 from lapilli import _core
 from lapilli._core import Scene
+from lapilli.note import Note, note
 from lapilli.study.settings import Setting
 from lapilli.study.store import key_of
 
@@ -45,7 +46,7 @@ class Keys:
         return self._own[words]
 
     def place(
-        self, path: str | os.PathLike[str] | None, notes: list[str], *given: object
+        self, path: str | os.PathLike[str] | None, notes: list[Note], *given: object
     ) -> str | os.PathLike[str] | None:
         """Where rows are kept: nowhere where the scene, or a reference `given`, is a function,
         which nothing can compare; a note says so."""
@@ -53,10 +54,11 @@ class Keys:
         functions += ["the reference" for one in given if holds_function(one)]
         if path is None or not functions:
             return path
-        notes.append(
+        words = (
             f"nothing is kept in {os.fspath(path)}: functions cannot be compared with those of "
             f"another run ({', '.join(functions)})"
         )
+        notes.append(note("study.nothing-kept", words))
         return None
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from lapilli._core import Scene
+from lapilli.note import Note
 from lapilli.study.keys import Keys
 from lapilli.study.observe import observe
 from lapilli.study.quantity import unknown_quantity
@@ -103,7 +104,7 @@ def minimize(
     search = sampler_study(seed)
     known = None if data is None else series_of(data, quantity)
     numbers = None if known is None else [known.times.tolist(), known.values.tolist()]
-    keys, notes = Keys(scene, goal, numbers, "minimize"), list[str]()
+    keys, notes = Keys(scene, goal, numbers, "minimize"), list[Note]()
     pool = runner or LocalPool()
     place = keys.place(store, notes)
     kept = Store(place, keys, Outcome.from_json, Outcome.as_json, lambda row: not row.passing)

@@ -8,6 +8,7 @@ import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from lapilli.note import Note
 from lapilli.whole_file import whole_file
 
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ class Results:
         outcomes: Sequence[Outcome],
         quantities: Sequence[str],
         units: dict[str, str],
-        notes: Sequence[str] = (),
+        notes: Sequence[Note] = (),
     ) -> None:
         self.outcomes = list(outcomes)
         named = dict.fromkeys(name for one in outcomes for name in one.numbers)

@@ -48,7 +48,7 @@ def show_study(
         target_error=target_error,
     )
     for note in table.notes:
-        say(note)
+        say(note.line)
     table.to_csv(name + ".csv")
     table.to_json(name + ".json")
     picture = save_picture(table, name + ".png")
@@ -60,7 +60,11 @@ def show_study(
     if not table.worked:
         say(f"lapilli: {table.advice()}")
         return False
-    say(table.advice(target_error, budget), quiet and json, beside(json))
+    advice = table.advice(target_error, budget)
+    if not table.meets(target_error, budget):
+        say(f"lapilli: {advice}")
+        return False
+    say(advice, quiet and json, beside(json))
     return True
 
 
@@ -114,7 +118,9 @@ def print_table(table: Table) -> None:
     lines = Lines()
     for name in short_names([path for path, _ in table.rows[0].setting.changes]):
         lines.add_column(name, no_wrap=True)
-    titles = (f"{table.norm.upper() if table.norm == 'rms' else table.norm} error", "largest")
+    unit = f" ({table.error_unit.strip()})" if table.error_unit else ""
+    norm = table.norm.upper() if table.norm == "rms" else table.norm
+    titles = (f"{norm} error{unit}", "largest")
     for title in (*titles, "CPU s", "spread", "build", "steps", "output", "wall s"):
         lines.add_column(title, justify="right", no_wrap=True)
     for title in ("steps", "points", "MB", ""):

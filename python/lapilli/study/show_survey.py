@@ -44,7 +44,7 @@ def show(
 ) -> bool:
     """Print the table, where it lies and what was best; whether any case finished."""
     for note in results.notes:
-        say(note)
+        say(note.line)
     if json:
         print_json(results.rows())
     elif not quiet:

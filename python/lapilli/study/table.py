@@ -10,6 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
+from lapilli.note import Note
 from lapilli.study.measure import Errors, Measurement
 from lapilli.study.settings import Setting
 from lapilli.whole_file import whole_file, write_text
@@ -58,7 +59,7 @@ class Table:
     """One row a setting, in the order in which settings were given."""
 
     def __init__(
-        self, rows: Sequence[Row], field: str, unit: str = "", notes: Sequence[str] = ()
+        self, rows: Sequence[Row], field: str, unit: str = "", notes: Sequence[Note] = ()
     ) -> None:
         self.rows = list(rows)
         self.field = field
@@ -91,7 +92,7 @@ class Table:
         measurements: Iterable[Measurement],
         field: str,
         unit: str,
-        notes: Sequence[str] = (),
+        notes: Sequence[Note] = (),
     ) -> Table:
         """Gather the repeats of each setting."""
         found: dict[Setting, list[Measurement]] = {setting: [] for setting in settings}
@@ -121,6 +122,17 @@ class Table:
         table.norm = norm
         return table
 
+    def meets(self, target_error: float | None = None, budget: float | None = None) -> bool:
+        """Whether some setting is within the error, or without one within the cost."""
+        if target_error is not None:
+            return any(error_of(row) <= target_error for row in self.front)
+        return budget is None or any(cost_of(row) <= budget for row in self.front)
+
+    @property
+    def error_unit(self) -> str:
+        """The unit of errors with a blank before it; empty where they are shares."""
+        return "" if self.norm == "relative" or not self.unit else f" {self.unit}"
+
     def advice(self, target_error: float | None = None, budget: float | None = None) -> str:
         """The cheapest setting within an error, or the most accurate within a cost (CPU s)."""
         if not self.worked:
@@ -128,16 +140,24 @@ class Table:
         if target_error is not None:
             good = [row for row in self.front if error_of(row) <= target_error]
             if good:
-                return f"cheapest within {target_error:g}: {said(good[0])}"
-            best = said(self.front[-1])
-            return f"no setting tried has an error within {target_error:g}; the best is {best}"
+                return f"cheapest within {target_error:g}{self.error_unit}: {self.said(good[0])}"
+            best = self.said(self.front[-1])
+            return (
+                f"no setting tried has an error within {target_error:g}{self.error_unit}; "
+                f"the best is {best}"
+            )
         if budget is not None:
             paid = [row for row in self.front if cost_of(row) <= budget]
             if paid:
-                return f"most accurate within {budget:g} CPU s: {said(paid[-1])}"
-            least = said(self.front[0])
+                return f"most accurate within {budget:g} CPU s: {self.said(paid[-1])}"
+            least = self.said(self.front[0])
             return f"no setting tried costs at most {budget:g} CPU s; the cheapest is {least}"
-        return f"most accurate: {said(self.front[-1])}"
+        return f"most accurate: {self.said(self.front[-1])}"
+
+    def said(self, row: Row) -> str:
+        """A row in one line of advice."""
+        error = f"{error_of(row):.3g}{self.error_unit}"
+        return f"{row.setting} (error {error}, {cost_of(row):.3g} CPU s)"
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
         """One line a setting."""
@@ -216,8 +236,3 @@ def error_of(row: Row) -> float:
 def cost_of(row: Row) -> float:
     """CPU seconds; infinite where unknown."""
     return float("inf") if row.cpu_seconds is None else row.cpu_seconds
-
-
-def said(row: Row) -> str:
-    """A row in one line of advice."""
-    return f"{row.setting} (error {error_of(row):.3g}, {cost_of(row):.3g} CPU s)"

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from lapilli._core import Scene
+from lapilli.note import Note, note
 from lapilli.study.finer import finer_setting
 from lapilli.study.observe import Observation, observe
 from lapilli.study.reference import (
@@ -36,7 +37,7 @@ class Truth:
 
     fields: dict[str, Reference] = field(default_factory=dict)
     scalars: dict[str, Callable[[float], float]] = field(default_factory=dict)
-    notes: list[str] = field(default_factory=list)
+    notes: list[Note] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,8 @@ def truth_of(
         one = by_name.get(name)
         if one is None:
             runs.setdefault(finer, []).append((name, is_field))
-            truth.notes.append(f"the error of {name} is that against a finer run: {finer}")
+            words = f"the error of {name} is that against a finer run: {finer}"
+            truth.notes.append(note("study.finer-reference", words))
         elif text_of(one).startswith("finer:"):
             runs.setdefault(parse_finer(text_of(one)), []).append((name, is_field))
         else:

@@ -259,8 +259,8 @@ TEST_CASE("a resume takes the newest good checkpoint, makes a lost index anew an
   const RunSummary summary = run(second, options);
   REQUIRE(summary.status == RunStatus::finished);
   REQUIRE(summary.notes.size() == 2);
-  REQUIRE_THAT(summary.notes[0], Catch::Contains("checkpoint before the last"));
-  REQUIRE_THAT(summary.notes[1], Catch::Contains("made anew"));
+  REQUIRE_THAT(summary.notes[0].text, Catch::Contains("checkpoint before the last"));
+  REQUIRE_THAT(summary.notes[1].text, Catch::Contains("made anew"));
   REQUIRE(read_all(output) == read_all(whole));
   REQUIRE_THAT(bytes_of(folder / "run.json"), Catch::Contains("made anew"));
 }

@@ -50,7 +50,7 @@ TEST_CASE("a setting that nothing reads is named with the reason") {
                Idle{"heat.implicit_robin=false", "heat.implicit_robin", "neither"},
                Idle{"bodies[0].seed=3", "bodies[0].seed", "neither jitter nor random"},
                Idle{"bodies[0].rotation_center=[1, 1]", "bodies[0].rotation_center", "rotated"});
-  const std::vector<std::string> notes = unused_settings(with({"time.step=1e-5", idle.change}));
+  const std::vector<Note> notes = unused_settings(with({"time.step=1e-5", idle.change}));
   REQUIRE(notes.size() == 1);
   CHECK_THAT(notes[0], Contains(std::string(idle.path) + " has no effect: "));
   CHECK_THAT(notes[0], Contains(idle.why));
@@ -83,7 +83,7 @@ TEST_CASE("a material and a start without their physics are named") {
   Scene scene = with({"bodies[0].temperature=5"});
   scene.heat.reset();
   scene.bodies[0].material.emplace_back(Newtonian{});
-  const std::vector<std::string> notes = unused_settings(scene);
+  const std::vector<Note> notes = unused_settings(scene);
   REQUIRE(notes.size() == 3);
   CHECK_THAT(notes[0], Contains("bodies[0].temperature has no effect: the scene has no heat"));
   CHECK_THAT(notes[1], Contains("thermal has no effect"));

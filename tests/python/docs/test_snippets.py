@@ -18,14 +18,11 @@ from typing import Any
 import pytest
 
 import lapilli as lp
+from lapilli import notebooks
 
 ROOT = Path(__file__).parents[3]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
-FENCE = re.compile(
-    r"(?:<!-- (?P<mark>slow|shown: [^>]+?) -->\n+)?"
-    r"^```(?P<language>\w+)(?: title=\"(?P<title>[^\"]+)\")?\n(?P<text>.*?)^```$",
-    re.MULTILINE | re.DOTALL,
-)
+AS_NOTEBOOKS = set(notebooks.pages().values())  # which test_notebooks.py runs
 
 
 @dataclass(frozen=True)
@@ -56,7 +53,7 @@ def snippets_of(page: Path) -> list[Snippet]:
             found["text"],
             found["mark"] or "",
         )
-        for found in FENCE.finditer(text)
+        for found in notebooks.BLOCK.finditer(text)
     ]
 
 
@@ -150,6 +147,8 @@ def test_snippets_run(
     names: dict[str, Any] = {"__name__": "__main__"}
     for snippet in wanted:
         if snippet.mark.startswith("shown") or (snippet.mark == "slow" and kind == "quick"):
+            continue
+        if page in AS_NOTEBOOKS and snippet.language != "toml":
             continue
         if snippet.language == "sh":
             run_shell(snippet, tmp_path, bench)

@@ -130,6 +130,54 @@ def test_a_cut_shows_the_layer_of_points_it_goes_through(tmp_path: Path) -> None
         view_of(frame, "temperature", Style(cut="x=7"))
 
 
+def test_pictures_of_bodies_in_space_say_where_they_are_cut(tmp_path: Path) -> None:
+    scene = lp.Scene(
+        grid=lp.Grid(lower=(0, 0, 0), upper=(1, 1, 1), cell=0.25),
+        bodies=[
+            lp.Body(
+                shape=lp.Box(lower=(0, 0, 0), upper=(1, 1, 0.5)),
+                material=lp.Thermal(density=1, specific_heat=1, conductivity=1),
+            )
+        ],
+        heat=lp.Heat(),
+        time=lp.Time(end=0.001),
+    )
+    frames = lp.run(scene, tmp_path / "box.vtkhdf", progress=False).frames
+
+    def title(**style: str) -> str:
+        return plot.draw(frames, time=0, style=Style(**style)).axes[0].get_title()
+
+    assert title(cut="x=0.3") == "t = 0 s, x = 0.3 m"
+    assert title(cut="z") == "t = 0 s, z = 0.25 m"
+    assert (
+        title() == "t = 0 s, cut open at y = 0.562 m"
+    )  # the first row of points behind the middle
+
+
+def test_units_are_set_as_they_are_printed(heated: lp.Result, falling: lp.Result) -> None:
+    assert "heat flux, magnitude (W/m²)" in labels(plot.draw(heated.frames, "heat_flux"))
+    assert "density (kg/m³)" in labels(plot.draw(falling.frames, "density"))
+    history = plot.draw_history(falling.frames, ["energy/*"])
+    assert labels(history) == ["J/m", "no unit"]
+
+
+def test_the_way_of_points_is_drawn_where_a_run_does_not_write_it(falling: lp.Result) -> None:
+    frames = falling.frames
+    assert "displacement" not in frames.fields
+    assert "displacement, magnitude (m)" in labels(plot.draw(frames, "displacement"))
+    moved = frames[-1].position - frames[0].position
+    figure = plot.draw(frames, "displacement.y", style=Style(vectors="displacement"))
+    dots = figure.axes[0].collections[0]
+    np.testing.assert_array_equal(dots.get_array(), moved[:, 1])
+    np.testing.assert_array_equal(frames[-1]["displacement.magnitude"], np.hypot(*moved[:, :2].T))
+    assert not frames[0]["displacement"].any()
+    series = frames.time_series("displacement.y", point=int(frames[0]["id"][3]))
+    assert series["displacement.y"][-1] == moved[3, 1]
+    assert frames.unit("displacement") == "m"
+    with pytest.raises(ValueError, match=r"no field 'displaced' .* there is: .*displacement"):
+        plot.draw(frames, "displaced")
+
+
 @pytest.mark.parametrize("cut", ["u", "y=far", "=3"])
 def test_a_cut_that_is_none_is_refused(cut: str) -> None:
     with pytest.raises(ValueError, match="a cut is"):

@@ -103,6 +103,66 @@ def browser():
         started.close()
 
 
+@pytest.fixture(scope="module")
+def staged(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The report of a run whose later stages have columns that the first has not."""
+    folder = tmp_path_factory.mktemp("staged")
+    soil = lp.Elastic(density=1000, youngs_modulus=1e6, poissons_ratio=0.3)
+    scene = lp.Scene(
+        grid=lp.Grid(lower=(0, 0), upper=(2, 1), cell=0.1),
+        bodies=[
+            lp.Body(name=name, shape=lp.Box(lower=(x, 0), upper=(x + 0.5, 0.5)), material=soil)
+            for name, x in (("dam", 0.2), ("spoil", 1.2))
+        ],
+        dynamics=lp.Dynamics(gravity=(0, -10), grid_boundaries=[lp.NoSlipBoundary(face="y_lower")]),
+        time=lp.Time(end=0.02),
+        stages=[lp.Stage(name="dug", end=0.04, remove=["spoil"])],
+    )
+    lp.run(scene, folder / "dam.vtkhdf", every=0.005, progress=False)
+    return write_report(folder / "dam.vtkhdf", pictures=2)
+
+
+def test_columns_of_later_stages_leave_charts_whole(staged: Path) -> None:
+    """What a stage does not have is empty, in the words of JSON: numbers or null."""
+    data = json.loads(re.search(r'id="data">(.*?)</script>', staged.read_text())[1])
+    curves = [curve for chart in data["charts"] for curve in chart["curves"]]
+    late = [curve for curve in curves if "stage_dug" in curve["name"]]
+    assert len(late) >= 1
+    for curve in curves:
+        assert all(value is None or isinstance(value, float) for value in curve["values"])
+    for curve in late:
+        assert curve["values"][0] is None
+        assert curve["values"][-1] is not None
+
+
+def test_stages_are_part_of_what_was_modelled(staged: Path) -> None:
+    text = staged.read_text()
+    assert "stage dug" in text
+    assert "0.02 to 0.04 s; without spoil" in text
+
+
+def test_units_are_set_as_they_are_printed(staged: Path) -> None:
+    text = staged.read_text()
+    data = json.loads(re.search(r'id="data">(.*?)</script>', text)[1])
+    assert "kg/m³" in {chart["unit"] for chart in data["charts"]}
+    assert not any("^" in chart["unit"] for chart in data["charts"])
+
+
+@pytest.mark.slow
+def test_a_browser_draws_every_chart(browser, staged: Path) -> None:
+    """Each has a curve that goes from side to side, and numbers on its axis."""
+    shown = browser.new_page()
+    shown.set_default_timeout(120_000)
+    shown.goto(staged.as_uri())
+    charts = shown.locator(".chart")
+    assert charts.count() > 5
+    for chart in charts.all():
+        drawn = [path.get_attribute("d") for path in chart.locator("path").all()]
+        assert any(d.count("L") >= 3 and "NaN" not in d for d in drawn), chart.inner_text()
+        ticks = chart.locator("text[text-anchor=end]").all_text_contents()
+        assert sum(bool(one) for one in ticks) >= 2, chart.inner_text()
+
+
 @pytest.mark.slow
 def test_a_browser_steps_through_time_and_zooms(browser, page: Path, falling: lp.Result) -> None:
     shown = browser.new_page(viewport={"width": 1100, "height": 900})

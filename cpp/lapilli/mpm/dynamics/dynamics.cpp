@@ -30,7 +30,7 @@ Dynamics<Dim>::Dynamics(Points& points, const DynamicsProblem<Dim>& problem)
     start_notes_ = early_stops(data_, problem.bodies);
   }
   if (problem.notes) {
-    const std::vector<std::string> notes = problem.notes();
+    const std::vector<Note> notes = problem.notes();
     start_notes_.insert(start_notes_.end(), notes.begin(), notes.end());
   }
   data_.order.update(points);

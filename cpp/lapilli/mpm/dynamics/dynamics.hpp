@@ -41,7 +41,7 @@ class Dynamics final : public Physics,
   void load(const Archive& archive) override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
   /// Settings that make the answer depend on the numerics, and points that are gone.
-  std::vector<std::string> warnings() const override;
+  std::vector<Note> warnings() const override;
   std::vector<std::string> modelled() const override;
 
   // Handles for other physics. Asking for one allocates it; call before the first step.
@@ -134,8 +134,8 @@ class Dynamics final : public Physics,
   std::unique_ptr<BodyContacts<Dim>> contacts_;       // null where all bodies are one
   std::unique_ptr<WallFriction<Dim>> wall_friction_;  // null where no wall has any
   std::vector<std::string> described_contacts_;
-  std::vector<std::string> start_notes_;  // of bodies that start anew
-  std::vector<double> spacing_;           // m, of the points of each body
+  std::vector<Note> start_notes_;  // of bodies that start anew
+  std::vector<double> spacing_;    // m, of the points of each body
   Flows flows_;
   Removed removed_;
   EnergyWatch watch_;

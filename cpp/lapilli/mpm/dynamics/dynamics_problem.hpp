@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lapilli/core/note.hpp"
 #include "lapilli/core/physics.hpp"
 #include "lapilli/core/points.hpp"
 #include "lapilli/geometry/grid.hpp"
@@ -38,8 +39,8 @@ struct DynamicsProblem {
   DynamicsSettings settings;
   DistanceFunction distance = {};  // signed distance to the union of the bodies; may be empty
   std::vector<Shape> shapes = {};  // by body; empty where not all are known, or bodies go on
-  std::shared_ptr<const PointStart> start = {};          // null where all points start anew
-  std::function<std::vector<std::string>()> notes = {};  // on the stresses that bodies started with
+  std::shared_ptr<const PointStart> start = {};   // null where all points start anew
+  std::function<std::vector<Note>()> notes = {};  // on the stresses that bodies started with
 };
 
 }  // namespace lapilli

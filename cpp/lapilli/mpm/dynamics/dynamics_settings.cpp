@@ -66,34 +66,37 @@ void check(const DynamicsSettings& settings, int dimension) {
   }
 }
 
-std::vector<std::string> warnings(const DynamicsSettings& settings) {
-  std::vector<std::string> all;
+std::vector<Note> warnings(const DynamicsSettings& settings) {
+  std::vector<Note> all;
   const bool flip = settings.transfer == VelocityTransfer::flip;
   if (settings.transfer != VelocityTransfer::blended_apic &&
       !(flip && settings.pic_fraction == 0.0)) {
     all.push_back(
-        message("dynamics.transfer ", name_of(settings.transfer),
-                flip ? message(" with pic_fraction ", settings.pic_fraction) : std::string(),
-                " damps once a step: motion depends on the time step; blended_apic does not"));
+        note("dynamics.damping-transfer", "dynamics.transfer ", name_of(settings.transfer),
+             flip ? message(" with pic_fraction ", settings.pic_fraction) : std::string(),
+             " damps once a step: motion depends on the time step; blended_apic does not"));
   }
   if (settings.stress_update == StressUpdate::usl) {
-    all.emplace_back(
+    all.push_back(note(
+        "dynamics.damping-usl",
         "dynamics.stress_update usl damps what vibrates, by up to a quarter of its energy in a "
-        "hundred periods; musl does not");
+        "hundred periods; musl does not"));
   }
   for (std::size_t k = 0; k < settings.obstacles.size(); ++k) {
     const Obstacle& one = settings.obstacles[k];
     const std::string name =
         message("dynamics.obstacles.", k, one.name.empty() ? "" : " (" + one.name + ")");
     if (one.revolutions_per_second != 0.0 && one.center.empty() && !one.mass) {
-      all.push_back(name +
-                    " turns about the origin of the grid: give center to turn it about another "
-                    "place");
+      all.push_back(
+          note("dynamics.obstacle-center", name,
+               " turns about the origin of the grid: give center to turn it about another "
+               "place"));
     }
     if (!one.separation && settings.local_damping == 0.0) {
-      all.push_back(name +
-                    " holds what has touched it: without local_damping what hangs from it gains "
-                    "energy in steps of uneven size");
+      all.push_back(
+          note("dynamics.hanging-energy", name,
+               " holds what has touched it: without local_damping what hangs from it gains "
+               "energy in steps of uneven size"));
     }
   }
   return all;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lapilli/core/describe.hpp"
+#include "lapilli/core/note.hpp"
 #include "lapilli/core/value.hpp"
 #include "lapilli/geometry/shape.hpp"
 #include "lapilli/mpm/dynamics/contacts/body_contact.hpp"
@@ -217,6 +218,6 @@ struct DynamicsSettings {
 void check(const DynamicsSettings& settings, int dimension);
 
 /// What is allowed and makes the answer depend on the numerics, a sentence each.
-std::vector<std::string> warnings(const DynamicsSettings& settings);
+std::vector<Note> warnings(const DynamicsSettings& settings);
 
 }  // namespace lapilli

@@ -45,9 +45,9 @@ bool pulls_towards(const Vec3& gravity, int axis, bool upper) {
 }  // namespace
 
 template <int Dim>
-std::vector<std::string> early_stops(const DynamicsData<Dim>& data,
-                                     const std::vector<DynamicsBody>& bodies) {
-  std::vector<std::string> all;
+std::vector<Note> early_stops(const DynamicsData<Dim>& data,
+                              const std::vector<DynamicsBody>& bodies) {
+  std::vector<Note> all;
   const std::vector<Extent<Dim>> boxes = extents(data);
   const Vec<Dim> size = (data.grid.upper() - data.grid.lower()) / data.grid.cell_size();
   for (int face = 0; face < 2 * Dim; ++face) {
@@ -63,23 +63,21 @@ std::vector<std::string> early_stops(const DynamicsData<Dim>& data,
         continue;
       }
       if (gap < reach) {
-        all.push_back(message(
-            bodies[body].label, " starts about ", std::round(10.0 * gap) / 10.0,
-            " cells from the grid boundary ", name,
-            ", whose nodes hold it already: let it touch, or take an obstacle (half_space)"));
-      } else if (boxes.size() == 1 && pulls_towards(place(data.settings.gravity), axis, upper)) {
         all.push_back(
-            message(bodies[body].label, " falls onto the grid boundary ", name,
-                    ", whose nodes stop it up to a cell early; an obstacle (half_space) does not"));
+            note("dynamics.near-grid-face", bodies[body].label, " starts about ",
+                 std::round(10.0 * gap) / 10.0, " cells from the grid boundary ", name,
+                 ", whose nodes hold it already: let it touch, or take an obstacle (half_space)"));
+      } else if (boxes.size() == 1 && pulls_towards(place(data.settings.gravity), axis, upper)) {
+        all.push_back(note(
+            "dynamics.falls-on-grid-face", bodies[body].label, " falls onto the grid boundary ",
+            name, ", whose nodes stop it up to a cell early; an obstacle (half_space) does not"));
       }
     }
   }
   return all;
 }
 
-template std::vector<std::string> early_stops(const DynamicsData<2>&,
-                                              const std::vector<DynamicsBody>&);
-template std::vector<std::string> early_stops(const DynamicsData<3>&,
-                                              const std::vector<DynamicsBody>&);
+template std::vector<Note> early_stops(const DynamicsData<2>&, const std::vector<DynamicsBody>&);
+template std::vector<Note> early_stops(const DynamicsData<3>&, const std::vector<DynamicsBody>&);
 
 }  // namespace lapilli

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lapilli/core/note.hpp"
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
 #include "lapilli/mpm/dynamics/dynamics_problem.hpp"
 
@@ -11,7 +12,7 @@ namespace lapilli {
 /// Faces of the grid act on their nodes, and so on bodies up to a cell away. Says which bodies of
 /// the start lie so near a face without touching it, and which will fall onto one.
 template <int Dim>
-std::vector<std::string> early_stops(const DynamicsData<Dim>& data,
-                                     const std::vector<DynamicsBody>& bodies);
+std::vector<Note> early_stops(const DynamicsData<Dim>& data,
+                              const std::vector<DynamicsBody>& bodies);
 
 }  // namespace lapilli

@@ -19,17 +19,17 @@ void OpenEnergy::look(const Balance& energy, double largest, double strain) {
   strain_ = std::max(strain_, strain);
 }
 
-std::vector<std::string> OpenEnergy::warnings() const {
-  std::vector<std::string> all;
+std::vector<Note> OpenEnergy::warnings() const {
+  std::vector<Note> all;
   if (gap_ > open_share * reference_) {
-    all.push_back(message("the balance of energy does not close: up to ", gap_, " J, ",
-                          100.0 * gap_ / reference_,
-                          " % of what was stored or turned over, are unaccounted for"));
+    all.push_back(note("dynamics.open-energy", "the balance of energy does not close: up to ", gap_,
+                       " J, ", 100.0 * gap_ / reference_,
+                       " % of what was stored or turned over, are unaccounted for"));
   }
   if (strain_ > largest_strain) {
-    all.push_back(message("elastic strains reach ", 100.0 * strain_,
-                          " %: stresses follow rates (a hypoelastic law), and the energy that they "
-                          "store is known to some percents only beyond 5 %"));
+    all.push_back(note("dynamics.large-elastic-strain", "elastic strains reach ", 100.0 * strain_,
+                       " %: stresses follow rates (a hypoelastic law), and the energy that they "
+                       "store is known to some percents only beyond 5 %"));
   }
   return all;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lapilli/core/balance.hpp"
+#include "lapilli/core/note.hpp"
 #include "lapilli/core/vector.hpp"
 
 namespace lapilli {
@@ -19,7 +20,7 @@ class OpenEnergy {
   void look(const Balance& energy, double largest, double strain);
   /// Whether a run has been looked at while there was energy.
   bool has_looked() const { return reference_ > 0.0; }
-  std::vector<std::string> warnings() const;
+  std::vector<Note> warnings() const;
 
   std::vector<double> numbers() const {
     return {gap_, reference_, strain_, static_cast<double>(steps_)};

@@ -92,24 +92,25 @@ void Dynamics<Dim>::load_removed(const Archive& archive) {
 }
 
 template <int Dim>
-std::vector<std::string> Dynamics<Dim>::warnings() const {
-  std::vector<std::string> all = lapilli::warnings(data_.settings);
+std::vector<Note> Dynamics<Dim>::warnings() const {
+  std::vector<Note> all = lapilli::warnings(data_.settings);
   if (data_.shape == ShapeFunction::bspline) {
-    all.emplace_back(
+    all.push_back(note(
+        "dynamics.damping-bspline",
         "grid.shape_function bspline damps what vibrates, by a quarter of its energy in a hundred "
-        "periods; gimp does not");
+        "periods; gimp does not"));
   }
   all.insert(all.end(), start_notes_.begin(), start_notes_.end());
-  const std::vector<std::string> open = energy_looked_at().warnings();
+  const std::vector<Note> open = energy_looked_at().warnings();
   all.insert(all.end(), open.begin(), open.end());
   if (loads_) {
-    const std::vector<std::string> lost = loads_->warnings();
+    const std::vector<Note> lost = loads_->warnings();
     all.insert(all.end(), lost.begin(), lost.end());
   }
   if (removed_.points > 0.0) {
-    all.push_back(message(removed_.points,
-                          " points left the grid and were removed: ", removed_.mass, " kg",
-                          Dim == 2 ? "/m" : "", " of ", removed_.mass + total_mass_));
+    all.push_back(note("dynamics.points-removed", removed_.points,
+                       " points left the grid and were removed: ", removed_.mass, " kg",
+                       Dim == 2 ? "/m" : "", " of ", removed_.mass + total_mass_));
   }
   return all;
 }
@@ -126,7 +127,7 @@ template void Dynamics<2>::save_removed(Archive&) const;
 template void Dynamics<3>::save_removed(Archive&) const;
 template void Dynamics<2>::load_removed(const Archive&);
 template void Dynamics<3>::load_removed(const Archive&);
-template std::vector<std::string> Dynamics<2>::warnings() const;
-template std::vector<std::string> Dynamics<3>::warnings() const;
+template std::vector<Note> Dynamics<2>::warnings() const;
+template std::vector<Note> Dynamics<3>::warnings() const;
 
 }  // namespace lapilli

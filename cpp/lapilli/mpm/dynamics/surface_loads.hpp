@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lapilli/core/balance.hpp"
+#include "lapilli/core/note.hpp"
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
 #include "lapilli/mpm/dynamics/load_shares.hpp"
 #include "lapilli/mpm/surface/area_ratios.hpp"
@@ -36,7 +37,7 @@ class SurfaceLoads {
   std::vector<Balance::Entry> impulse_entries(int axis) const;  // N s, by law
   SurfaceView surface() const;
   /// Loads whose region the surface has left.
-  std::vector<std::string> warnings() const;
+  std::vector<Note> warnings() const;
   /// What the areas of tractions are scaled by, the farthest from 1.
   double area_ratio() const { return ratios_.farthest(); }
 

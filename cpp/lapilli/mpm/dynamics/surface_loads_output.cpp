@@ -25,16 +25,17 @@ double SurfaceLoads<Dim>::area_of(std::size_t law) const {
 }
 
 template <int Dim>
-std::vector<std::string> SurfaceLoads<Dim>::warnings() const {
+std::vector<Note> SurfaceLoads<Dim>::warnings() const {
   constexpr double kept = 0.8;  // share of the surface at the start
-  std::vector<std::string> all;
+  std::vector<Note> all;
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     const double now = area_of(law);
     if (region_of(laws_[law]) != nullptr && now < kept * start_area_[law]) {
-      all.push_back(message("dynamics.boundaries.", law, " (", name_of_law(laws_[law], law),
-                            ") acts on ", std::llround(100.0 * now / start_area_[law]),
-                            " % of the surface that it acted on at the start: its region stays "
-                            "where it is, and the material has moved out of it"));
+      all.push_back(note("dynamics.region-left", "dynamics.boundaries.", law, " (",
+                         name_of_law(laws_[law], law), ") acts on ",
+                         std::llround(100.0 * now / start_area_[law]),
+                         " % of the surface that it acted on at the start: its region stays "
+                         "where it is, and the material has moved out of it"));
     }
   }
   return all;
@@ -80,7 +81,7 @@ SurfaceView SurfaceLoads<Dim>::surface() const {
 #define LAPILLI_INSTANTIATE(Dim)                                                      \
   template FieldAreas<Dim> SurfaceLoads<Dim>::areas_of_fields() const;                \
   template double SurfaceLoads<Dim>::area_of(std::size_t) const;                      \
-  template std::vector<std::string> SurfaceLoads<Dim>::warnings() const;              \
+  template std::vector<Note> SurfaceLoads<Dim>::warnings() const;                     \
   template double SurfaceLoads<Dim>::work() const;                                    \
   template std::vector<Balance::Entry> SurfaceLoads<Dim>::work_entries() const;       \
   template std::vector<Balance::Entry> SurfaceLoads<Dim>::impulse_entries(int) const; \

@@ -31,8 +31,8 @@ std::vector<char> cells_of(const Grid<Dim>& grid, const NodeRows<Dim>& rows) {
 }  // namespace
 
 template <int Dim>
-std::vector<std::string> bridged_gaps(const HeatProblem<Dim>& problem, const HeatPart<Dim>& part) {
-  std::vector<std::string> all;
+std::vector<Note> bridged_gaps(const HeatProblem<Dim>& problem, const HeatPart<Dim>& part) {
+  std::vector<Note> all;
   if constexpr (Dim > 1) {
     std::vector<Shape> shapes;
     for (const std::size_t body : part.bodies) {
@@ -43,14 +43,14 @@ std::vector<std::string> bridged_gaps(const HeatProblem<Dim>& problem, const Hea
     }
     const std::vector<char> cells = cells_of(problem.grid, *part.rows);
     if (const auto gap = narrowest_gap<Dim>(problem.grid, cells, shapes)) {
-      all.push_back("heat: " + gap->in_words(Dim));
+      all.push_back(note("heat.bridged-gap", "heat: ", gap->in_words(Dim)));
     }
   }
   return all;
 }
 
-template std::vector<std::string> bridged_gaps(const HeatProblem<1>&, const HeatPart<1>&);
-template std::vector<std::string> bridged_gaps(const HeatProblem<2>&, const HeatPart<2>&);
-template std::vector<std::string> bridged_gaps(const HeatProblem<3>&, const HeatPart<3>&);
+template std::vector<Note> bridged_gaps(const HeatProblem<1>&, const HeatPart<1>&);
+template std::vector<Note> bridged_gaps(const HeatProblem<2>&, const HeatPart<2>&);
+template std::vector<Note> bridged_gaps(const HeatProblem<3>&, const HeatPart<3>&);
 
 }  // namespace lapilli

@@ -44,7 +44,7 @@ class CutCellHeat final : public Physics,
   std::vector<Balance> balances() const override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
   SurfaceView surface() const override;
-  std::vector<std::string> warnings() const override;
+  std::vector<Note> warnings() const override;
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
 

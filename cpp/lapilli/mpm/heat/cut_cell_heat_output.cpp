@@ -114,9 +114,8 @@ SurfaceView CutCellHeat<Dim>::surface() const {
 }
 
 template <int Dim>
-std::vector<std::string> CutCellHeat<Dim>::warnings() const {
-  std::vector<std::string> all =
-      slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
+std::vector<Note> CutCellHeat<Dim>::warnings() const {
+  std::vector<Note> all = slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
   std::ranges::copy(drawn_gaps(found_, problem_.bodies, problem_.grid.cell_size(), Dim),
                     std::back_inserter(all));
   for (const Solved& one : solved_) {
@@ -126,17 +125,19 @@ std::vector<std::string> CutCellHeat<Dim>::warnings() const {
     return all;
   }
   if (implicit_steps_ + staged_steps_ > 0 && has_functions(problem_) && std::isfinite(end_)) {
-    all.push_back(message("long steps of heat may miss what functions do for less than ",
-                          FunctionsInTime(end_).spacing(),
-                          " s; tables are exact, and steps of heat.time_integration = \"explicit\" "
-                          "are shorter"));
+    all.push_back(note("heat.functions-in-long-steps",
+                       "long steps of heat may miss what functions do for less than ",
+                       FunctionsInTime(end_).spacing(),
+                       " s; tables are exact, and steps of heat.time_integration = \"explicit\" "
+                       "are shorter"));
   }
   const double error = largest_error() / temperature_span(),
                tolerance = problem_.settings.tolerance;
   if (error > 10.0 * tolerance) {
-    all.push_back(message("the error of the time integration of heat is estimated at ", error,
-                          " of the span of temperatures, heat.tolerance is ", tolerance,
-                          ": compare with a shorter time.step"));
+    all.push_back(note("heat.time-error",
+                       "the error of the time integration of heat is estimated at ", error,
+                       " of the span of temperatures, heat.tolerance is ", tolerance,
+                       ": compare with a shorter time.step"));
   }
   return all;
 }
@@ -191,7 +192,7 @@ void CutCellHeat<Dim>::load(const Archive& archive) {
   template std::vector<Field> CutCellHeat<Dim>::fields();                                     \
   template std::vector<Balance> CutCellHeat<Dim>::balances() const;                           \
   template std::vector<std::pair<std::string, double>> CutCellHeat<Dim>::diagnostics() const; \
-  template std::vector<std::string> CutCellHeat<Dim>::warnings() const;                       \
+  template std::vector<Note> CutCellHeat<Dim>::warnings() const;                              \
   template SurfaceView CutCellHeat<Dim>::surface() const;                                     \
   template void CutCellHeat<Dim>::save(Archive& archive) const;                               \
   template void CutCellHeat<Dim>::load(const Archive& archive);

@@ -82,11 +82,10 @@ std::string gap_between(const std::vector<std::string>& pair, std::span<const Su
   return width > 0.0 ? ": " + in_cells(width, cell) + " lie between them" : std::string();
 }
 
-std::vector<std::string> drawn_gaps(std::span<const SurfaceFound> found,
-                                    const std::vector<HeatBody>& bodies, double cell,
-                                    int dimension) {
+std::vector<Note> drawn_gaps(std::span<const SurfaceFound> found,
+                             const std::vector<HeatBody>& bodies, double cell, int dimension) {
   const std::vector<std::string> names = names_of(bodies);
-  std::vector<std::string> all;
+  std::vector<Note> all;
   for (std::size_t body = 0; body < found.size(); ++body) {
     for (const SurfaceFound::NearBody& near : found[body].near) {
       const bool told =
@@ -96,9 +95,9 @@ std::vector<std::string> drawn_gaps(std::span<const SurfaceFound> found,
       if (told || !is_drawn(near, cell, dimension)) {
         continue;
       }
-      all.push_back(message(
-          "heat: ", names[body], " and ", names[near.other], " are ", in_cells(near.width, cell),
-          " apart at ", text_of(near.middle, dimension), " m, ",
+      all.push_back(note(
+          "heat.drawn-gap", "heat: ", names[body], " and ", names[near.other], " are ",
+          in_cells(near.width, cell), " apart at ", text_of(near.middle, dimension), " m, ",
           near.touches ? "beside where they touch: their faces there are free surface"
                        : "so that no heat passes between them",
           "; a gap below ", drawn, " cells looks like rounding of a drawing: bodies touch where ",

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lapilli/core/note.hpp"
 #include "lapilli/geometry/shape.hpp"
 #include "lapilli/mpm/heat/heat_part.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
@@ -27,8 +28,7 @@ std::string gap_between(const std::vector<std::string>& pair, std::span<const Su
 
 /// What to warn of where two bodies lie apart by more than what counts as contact and by less than
 /// what a drawing means. One sentence a pair.
-std::vector<std::string> drawn_gaps(std::span<const SurfaceFound> found,
-                                    const std::vector<HeatBody>& bodies, double cell,
-                                    int dimension);
+std::vector<Note> drawn_gaps(std::span<const SurfaceFound> found,
+                             const std::vector<HeatBody>& bodies, double cell, int dimension);
 
 }  // namespace lapilli

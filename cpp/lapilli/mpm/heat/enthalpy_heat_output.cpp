@@ -153,9 +153,8 @@ SurfaceView EnthalpyHeat<Dim>::surface() const {
 }
 
 template <int Dim>
-std::vector<std::string> EnthalpyHeat<Dim>::warnings() const {
-  std::vector<std::string> all =
-      slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
+std::vector<Note> EnthalpyHeat<Dim>::warnings() const {
+  std::vector<Note> all = slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
   std::ranges::copy(drawn_gaps(found_, problem_.bodies, problem_.grid.cell_size(), Dim),
                     std::back_inserter(all));
   for (const Solved& one : solved_) {
@@ -200,7 +199,7 @@ void EnthalpyHeat<Dim>::load(const Archive& archive) {
   template std::vector<Field> EnthalpyHeat<Dim>::fields();                                     \
   template std::vector<Balance> EnthalpyHeat<Dim>::balances() const;                           \
   template std::vector<std::pair<std::string, double>> EnthalpyHeat<Dim>::diagnostics() const; \
-  template std::vector<std::string> EnthalpyHeat<Dim>::warnings() const;                       \
+  template std::vector<Note> EnthalpyHeat<Dim>::warnings() const;                              \
   template SurfaceView EnthalpyHeat<Dim>::surface() const;                                     \
   template void EnthalpyHeat<Dim>::save(Archive& archive) const;                               \
   template void EnthalpyHeat<Dim>::load(const Archive& archive);

@@ -135,9 +135,8 @@ SurfaceView HeatInBodyFrame<Dim>::surface() const {
 }
 
 template <int Dim>
-std::vector<std::string> HeatInBodyFrame<Dim>::warnings() const {
-  const auto* warner = dynamic_cast<const Warnings*>(at_rest_.get());
-  return warner != nullptr ? warner->warnings() : std::vector<std::string>{};
+std::vector<Note> HeatInBodyFrame<Dim>::warnings() const {
+  return warnings_of(*at_rest_);
 }
 
 template <int Dim>

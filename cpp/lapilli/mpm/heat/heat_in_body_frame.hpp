@@ -47,7 +47,7 @@ class HeatInBodyFrame final : public Physics,
     return at_rest_->diagnostics();
   }
   SurfaceView surface() const override;
-  std::vector<std::string> warnings() const override;
+  std::vector<Note> warnings() const override;
   void save(Archive& archive) const override;
   void load(const Archive& archive) override;
 

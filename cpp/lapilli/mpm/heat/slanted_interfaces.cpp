@@ -7,8 +7,8 @@
 
 namespace lapilli {
 
-std::vector<std::string> slanted_interfaces(std::span<const SurfaceFound> found,
-                                            const std::vector<HeatBody>& bodies, double cell_size) {
+std::vector<Note> slanted_interfaces(std::span<const SurfaceFound> found,
+                                     const std::vector<HeatBody>& bodies, double cell_size) {
   // Measured at 45 degrees, ratios of 2 to 1000 and layers of 1 to 10 cells: cells that a layer is
   // too thin by at each interface, for every power of ten.
   constexpr double lost = 0.15;
@@ -36,11 +36,11 @@ std::vector<std::string> slanted_interfaces(std::span<const SurfaceFound> found,
       bodies[worst].name.empty() ? std::string() : message(" (", bodies[worst].name, ")");
   const double bond = 1e3 * conductivity * own.slanted / own.volume;
   const double digits = std::pow(10.0, std::floor(std::log10(bond)));
-  return {message("bodies.", worst, name, " touches a body that conducts ", std::lround(own.better),
-                  " times better, at an angle to the grid: ", excess,
-                  " too much heat may cross it; give it more cells across or, exact at any angle, "
-                  "the pair a [[heat.contacts]] entry of a conductance of ",
-                  std::ceil(bond / digits) * digits, " W/(m^2 K)")};
+  return {note("heat.slanted-interface", "bodies.", worst, name, " touches a body that conducts ",
+               std::lround(own.better), " times better, at an angle to the grid: ", excess,
+               " too much heat may cross it; give it more cells across or, exact at any angle, "
+               "the pair a [[heat.contacts]] entry of a conductance of ",
+               std::ceil(bond / digits) * digits, " W/(m^2 K)")};
 }
 
 }  // namespace lapilli

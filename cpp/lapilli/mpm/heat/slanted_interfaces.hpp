@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lapilli/core/note.hpp"
 #include "lapilli/mpm/heat/heat_part.hpp"
 
 namespace lapilli {
@@ -11,7 +12,7 @@ namespace lapilli {
 /// What to warn of where bodies of different conductivity touch at an angle to the grid: one field
 /// of temperature cannot bend along such an interface, and the poorer conductor acts as if it were
 /// thinner. `found` by body. One sentence, on the worst body; empty where none is off by 2 %.
-std::vector<std::string> slanted_interfaces(std::span<const SurfaceFound> found,
-                                            const std::vector<HeatBody>& bodies, double cell_size);
+std::vector<Note> slanted_interfaces(std::span<const SurfaceFound> found,
+                                     const std::vector<HeatBody>& bodies, double cell_size);
 
 }  // namespace lapilli

@@ -49,7 +49,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   /// Strains beyond what the law for small strains carries, cells too coarse for the stresses,
   /// points that have crossed cells with linear shape functions, forces left out of balance, walls
   /// off the bodies, gaps that are bridged.
-  std::vector<std::string> warnings() const override;
+  std::vector<Note> warnings() const override;
 
   /// Force of each wall on the material in the last load step, N (per metre thickness in 2D).
   std::span<const Vec<Dim>> support_forces() const { return support_forces_; }
@@ -120,8 +120,8 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   std::vector<Vec<Dim>> support_forces_;
   double largest_force_ = 0.0;  // N, size of the forces in play in any load step so far
   Report report_;
-  double largest_left_ = 0.0;       // relative residual above the tolerance that was accepted
-  std::vector<std::string> notes_;  // of where walls and bodies are at the start
+  double largest_left_ = 0.0;  // relative residual above the tolerance that was accepted
+  std::vector<Note> notes_;    // of where walls and bodies are at the start
 
   Reference<Dim> reference_;
   double reset_ = 0.0;       // m

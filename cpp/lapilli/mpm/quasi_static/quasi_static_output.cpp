@@ -135,40 +135,42 @@ double QuasiStatic<Dim>::size_of_moves() const {
 }
 
 template <int Dim>
-std::vector<std::string> QuasiStatic<Dim>::warnings() const {
+std::vector<Note> QuasiStatic<Dim>::warnings() const {
   // Of 126 drawn scenes those whose displacements are off by more than 3 % have a roughness above
   // 0.006, and most above it are off by more than 1 %.
   constexpr double small = 0.02, smooth = 0.006, crossing = 0.5, noticed = 0.03;
-  std::vector<std::string> all(notes_);
+  std::vector<Note> all(notes_);
   if (largest_left_ > 0.0) {
-    all.push_back(message("quasi_static: Newton's method stalled in a load step with a share of ",
-                          largest_left_, " of the forces out of balance, tolerance ",
-                          settings_.tolerance, ": more load steps or max_iterations bring less"));
+    all.push_back(note("quasi_static.stalled",
+                       "quasi_static: Newton's method stalled in a load step with a share of ",
+                       largest_left_, " of the forces out of balance, tolerance ",
+                       settings_.tolerance, ": more load steps or max_iterations bring less"));
   }
   if (const double strain = solids_.largest_strain(points_); strain > small) {
-    all.push_back(message("quasi_static: the largest strain is ", strain,
-                          "; the law is one of small strains, good to about ", small));
+    all.push_back(note("quasi_static.large-strain", "quasi_static: the largest strain is ", strain,
+                       "; the law is one of small strains, good to about ", small));
   }
   if (const double share = roughness(); share > smooth) {
-    all.push_back(message(
-        "quasi_static: the cells are coarse for the stresses, whose energy is off "
-        "by about ",
-        100.0 * share, " %: displacements may be off by several percent; halve grid.cell to see"));
+    all.push_back(note("quasi_static.coarse",
+                       "quasi_static: the cells are coarse for the stresses, whose energy is off "
+                       "by about ",
+                       100.0 * share,
+                       " %: displacements may be off by several percent; halve grid.cell to see"));
   }
   const BlurredFace face = worst_blurred_face<Dim>(grid_, points_, solids_);
   if (const double size = size_of_moves(); face.missing > noticed * size) {
-    all.push_back(message(
-        "quasi_static: body ", face.body,
+    all.push_back(note(
+        "quasi_static.blurred-face", "quasi_static: body ", face.body,
         " strains like a stiffer one in the cells that they share, ", "which takes about ",
         face.missing, " m off its displacement across their face, ",
         std::round(100.0 * face.missing / size), " % of what the points have moved: put the face ",
         "on a line of the grid, or take smaller cells"));
   }
   if (const double moved = farthest_moved() / grid_.cell_size(); !half_width_ && moved > crossing) {
-    all.push_back(
-        message("quasi_static: points have moved by up to ", moved,
-                " cells, and linear shape functions leave errors of several percent where "
-                "points cross cells: take grid.shape_function = \"gimp\""));
+    all.push_back(note("quasi_static.crossed-cells", "quasi_static: points have moved by up to ",
+                       moved,
+                       " cells, and linear shape functions leave errors of several percent where "
+                       "points cross cells: take grid.shape_function = \"gimp\""));
   }
   return all;
 }
@@ -195,14 +197,14 @@ std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() cons
   return numbers;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                        \
-  template std::vector<Field> QuasiStatic<Dim>::fields();               \
-  template void QuasiStatic<Dim>::save(Archive& archive) const;         \
-  template void QuasiStatic<Dim>::load(const Archive& archive);         \
-  template std::vector<std::string> QuasiStatic<Dim>::warnings() const; \
-  template double QuasiStatic<Dim>::roughness() const;                  \
-  template double QuasiStatic<Dim>::farthest_moved() const;             \
-  template double QuasiStatic<Dim>::size_of_moves() const;              \
+#define LAPILLI_INSTANTIATE(Dim)                                 \
+  template std::vector<Field> QuasiStatic<Dim>::fields();        \
+  template void QuasiStatic<Dim>::save(Archive& archive) const;  \
+  template void QuasiStatic<Dim>::load(const Archive& archive);  \
+  template std::vector<Note> QuasiStatic<Dim>::warnings() const; \
+  template double QuasiStatic<Dim>::roughness() const;           \
+  template double QuasiStatic<Dim>::farthest_moved() const;      \
+  template double QuasiStatic<Dim>::size_of_moves() const;       \
   template std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() const;
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)

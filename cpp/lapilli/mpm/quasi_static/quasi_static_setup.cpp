@@ -109,14 +109,15 @@ void QuasiStatic<Dim>::note_geometry() {
     const double off =
         distance_off(bodies, reference_.facets, static_cast<int>(w), grid_.cell_size());
     if (off > 0.0) {
-      notes_.push_back(message("quasi_static: ", boundary_.wall(w).what(), " lies up to ", off,
-                               " m off the bodies and holds them as if they reached it: move it "
-                               "to their surface"));
+      notes_.push_back(note("quasi_static.support-off", "quasi_static: ", boundary_.wall(w).what(),
+                            " lies up to ", off,
+                            " m off the bodies and holds them as if they reached it: move it "
+                            "to their surface"));
     }
   }
   const auto near = cells_near_material(grid_, *reference_.state);
   if (const auto gap = narrowest_gap<Dim>(grid_, near, bodies)) {
-    notes_.push_back("quasi_static: " + gap->in_words(Dim));
+    notes_.push_back(note("quasi_static.bridged-gap", "quasi_static: ", gap->in_words(Dim)));
   }
 }
 
