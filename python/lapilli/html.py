@@ -104,11 +104,12 @@ def result_as_html(result: Result) -> str:
         (name, f"{one.supplied:.6g}", f"{one.stored:.6g}", one.unit, f"{one.residual:.1e}")
         for name, one in result.balance.items()
     ]
+    said = [*result.summary.notes, *result.warnings]
     return (
         f"<p>{html.escape(repr(result)[1:-1])}, {result.summary.steps} steps</p>"
         + table(("field", "smallest", "largest", "unit"), fields)
         + table(("balance", "supplied", "stored", "unit", "residual"), balances)
-        + "".join(f"<p>{html.escape(note.line)}</p>" for note in result.summary.notes)
+        + "".join(f"<p>{html.escape(note.line)}</p>" for note in said)
     )
 
 

@@ -177,8 +177,8 @@ def run(
         Called as ``callback(simulation)`` after each step; False ends the run early.
     """
     scene = with_output(scene, output, every)
-    path = Path(scene.output.path) if scene.output.path else None
-    where = None if path is None else path.absolute()  # the folder of the process may change
+    # The folder of the process may change.
+    where = Path(scene.output.path).absolute() if scene.output.path else None
     with _thread_count(threads):
         simulation = Simulation(scene)
         name = scene.title or "scene"

@@ -126,3 +126,25 @@ theta = 0.7
 [time]
 end = 0.01
 """
+
+
+def test_what_a_run_in_memory_should_say_is_heard(caplog: pytest.LogCaptureFixture) -> None:
+    # A bar under FLIP, which leaves nothing on disk that could tell.
+    scene = lp.Scene(
+        grid=lp.Grid(lower=(0, 0), upper=(2, 1), cell=0.25),
+        bodies=[
+            lp.Body(
+                shape=lp.Box(lower=(0.5, 0.25), upper=(1.5, 0.75)),
+                material=lp.Elastic(density=1000, youngs_modulus=1e5, poissons_ratio=0.2),
+            )
+        ],
+        dynamics=lp.Dynamics(transfer="flip"),
+        time=lp.Time(end=0.01),
+    )
+    with caplog.at_level(logging.WARNING, "lapilli"):
+        result = lp.run(scene, progress=False)
+    assert result.warnings
+    assert result.warnings == lp.Simulation(scene).warnings()
+    logged = [record.getMessage() for record in caplog.records]
+    assert all(any(one.line in line for line in logged) for one in result.warnings)
+    assert all(one in result._repr_html_() for one in result.warnings)
