@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "lapilli/mpm/heat/drawn_gaps.hpp"
+#include "lapilli/mpm/heat/strong_ends.hpp"
 #include "lapilli/mpm/surface/divide_pieces.hpp"
 
 namespace lapilli {
@@ -50,14 +51,14 @@ CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> sh
   CutBody<Dim> made;
   made.cells = cut_shape<Dim>(shapes[body], problem.grid, CubeLayout(problem.shape));
   const std::vector<const Shape*> regions = regions_of(problem.settings.boundaries);
-  made.pieces.resize(regions.size());
   Division division(problem.grid, shapes, body, regions, problem.walls);
+  StrongEnds<Dim> ends(problem, body, division);
   for (const CellCut<Dim>& cell : made.cells) {
     const Index at = problem.grid.node_index(cell.node);
     for (const SurfacePiece<Dim>& piece : cell.pieces) {
       division.divide(piece, [&](int law, const SurfacePiece<Dim>& part) {
         if (law >= 0) {
-          made.pieces[static_cast<std::size_t>(law)].push_back(part);
+          ends.add(law, part);
         } else if (law < Division::on_wall_label &&
                    resisting.of(body, Division::body_of(law)) >= 0) {
           made.resisting[Division::body_of(law)].push_back(part);
@@ -77,6 +78,7 @@ CutBody<Dim> cut_body(const HeatProblem<Dim>& problem, std::span<const Shape> sh
       });
     }
   }
+  made.pieces = ends.pieces(found);
   enter_touching(division.touching(), found);
   std::copy_if(division.touching().begin(), division.touching().end(),
                std::back_inserter(made.touching),

@@ -7,6 +7,7 @@
 #include "lapilli/mpm/heat/drawn_gaps.hpp"
 #include "lapilli/mpm/heat/enthalpy_heat.hpp"
 #include "lapilli/mpm/heat/slanted_interfaces.hpp"
+#include "lapilli/mpm/heat/strong_ends.hpp"
 #include "lapilli/mpm/surface/cut_shape.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
 
@@ -157,6 +158,7 @@ std::vector<Note> EnthalpyHeat<Dim>::warnings() const {
   std::vector<Note> all = slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
   std::ranges::copy(drawn_gaps(found_, problem_.bodies, problem_.grid.cell_size(), Dim),
                     std::back_inserter(all));
+  std::ranges::copy(narrow_holds(found_, problem_.settings), std::back_inserter(all));
   for (const Solved& one : solved_) {
     std::ranges::copy(bridged_gaps(problem_, one.part), std::back_inserter(all));
   }

@@ -64,6 +64,13 @@ struct SurfaceFound {
   double better = 1.0;   // times that a body it touches conducts better, at most
   double slanted = 0.0;  // m^(dim-1), where it touches such bodies at an angle to the grid
   std::vector<NearBody> near;
+
+  /// Of a condition that comes near to holding the surface.
+  struct Ends {
+    double area = 0.0;  // m^(dim-1), as drawn
+    double lost = 0.0;  // of it, at ends within a face
+  };
+  std::vector<Ends> ends;  // by condition
 };
 
 /// Two bodies that touch with a resistance.

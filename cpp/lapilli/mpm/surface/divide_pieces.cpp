@@ -1,5 +1,6 @@
 #include "lapilli/mpm/surface/divide_pieces.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +14,11 @@ namespace {
 constexpr double on_wall_by = 1e-6;
 constexpr double on_edge = 1e-6;  // beyond its edge a place counts as in a region
 constexpr double entered = 0.1;   // of the distance before: a tangent circle leaves a fourth
+
+// A face goes on ahead where it turns off by no more: one of four cells radius does by .005 cells
+// and 3 degrees in .2.
+constexpr double turns_by = 0.03;  // cells
+constexpr double one_face = 0.95;  // cosine
 
 constexpr double least_slope = 0.09;  // of a region's boundary that surface passes, 5 degrees
 
@@ -110,6 +116,44 @@ double SurfaceDivision<Dim>::depth_in(std::size_t law, const Vec<Dim>& at, const
   const Vec3 along = away - across * outward;
   const bool passes = from > 0.0 && across > 0.0 && enters(*region, place, from, along);
   return h * (passes ? margin : std::max(margin, region_slack * std::pow(across, 8))) - from;
+}
+
+template <int Dim>
+bool SurfaceDivision<Dim>::may_end_near(int law, const Vec<Dim>& at, double way) const {
+  const double far = way + region_slack * grid_.cell_size();
+  const Vec3 place = in_space<Dim>(at);
+  for (int one = 0; one <= law; ++one) {
+    const Shape* region = regions_[static_cast<std::size_t>(one)];
+    if (region != nullptr &&
+        (one == law ? distance(*region, place) > -far : distance(*region, place) < far)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+template <int Dim>
+std::optional<int> SurfaceDivision<Dim>::beside(int law, const Vec<Dim>& at, const Vec<Dim>& normal,
+                                                double way) {
+  constexpr int ways = Dim == 3 ? 8 : 2;
+  const Vec3 place = in_space<Dim>(at), up = in_space<Dim>(normal);
+  const Vec3 along = Dim == 3 ? Vec3(up.unitOrthogonal()) : Vec3(-up[1], up[0], 0.0);
+  const Vec3 across = up.cross(along);
+  for (int k = 0; k < ways; ++k) {
+    const double angle = 2.0 * M_PI * k / ways;
+    const Vec3 ahead = place + way * (std::cos(angle) * along + std::sin(angle) * across);
+    const Vec3 outward = gradient(bodies_[own_], ahead);
+    if (std::abs(distance(bodies_[own_], ahead)) > turns_by * grid_.cell_size() ||
+        outward.dot(up) < one_face) {
+      continue;
+    }
+    const Vec3 there = project(bodies_[own_], ahead);
+    const int label = label_at(there.template head<Dim>(), outward.template head<Dim>(), true);
+    if (label >= nobody && label != law) {
+      return label;
+    }
+  }
+  return std::nullopt;
 }
 
 /// At its corners, its middle and half way between these and each other.

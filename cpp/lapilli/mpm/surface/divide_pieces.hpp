@@ -34,6 +34,11 @@ class SurfaceDivision {
   void divide(const SurfacePiece<Dim>& piece, const Body& body) {
     divide(piece, near_others(piece), cuts, body);
   }
+  /// What else has the face this far (m) from a place that law number `law` has: the first that is
+  /// found, nothing where the law has it all around or the face ends.
+  std::optional<int> beside(int law, const Vec<Dim>& at, const Vec<Dim>& normal, double way);
+  /// Whether a law may have something else this near (m) to a place.
+  bool may_end_near(int law, const Vec<Dim>& at, double way) const;
   /// Bodies that were found to touch this one.
   const std::vector<std::size_t>& touching() const { return touching_; }
 
