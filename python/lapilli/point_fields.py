@@ -78,10 +78,10 @@ FIELDS = (
     ),
     PointField(
         "wall_area",
-        "m^(dim-1)",
+        "m^2",
         "scalar",
         PD_HEAT,
-        "area that the point shares with walls: m in two dimensions, m^2 in three",
+        "area that the point shares with walls; m in two dimensions, a number in one",
     ),
 )
 

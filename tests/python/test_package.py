@@ -79,6 +79,7 @@ def test_the_wheel_holds_what_it_needs_and_no_more(wheel: Path) -> None:
     assert "lapilli/_core.pyi" in names
     assert "lapilli/py.typed" in names
     assert "lapilli/example_scenes/vhfm/fan.pgm" in names
+    assert "lapilli/tutorials/heat.md" in names
     assert sum(name.endswith(".so") and "/_core" in name for name in names) == 1
     assert any(name.endswith("/lapilli-run") for name in names)
     assert any(name.endswith("licences/hdf5.txt") for name in names)
@@ -202,6 +203,7 @@ def test_the_wheel_runs_in_a_clean_environment(
     assert len(lp.Frames(tmp_path / "same.vtkhdf")) == 2
     assert "vhfm/fan" in run("lapilli", "examples", "list")
     run("lapilli", "examples", "copy", "vhfm/fan", "--to", "copied")
+    run("lapilli", "examples", "copy", "tutorials/heat", "--to", "copied")
     assert (tmp_path / "copied" / "vhfm" / "fan.pgm").exists()
     run("pip", "install", "--quiet", f"{wheel}[plot,references]")
     run("lapilli", "plot", "ring.vtkhdf", "--save", "ring.png")

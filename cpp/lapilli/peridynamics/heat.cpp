@@ -191,9 +191,10 @@ void PeridynamicHeat::refresh_output() {
 }
 
 std::vector<Field> PeridynamicHeat::fields() {
+  constexpr const char* areas[] = {"", "m", "m^2"};
   return {{"temperature", "K", 1, temperature_.values()},
           {"wall_heat_flux", "W/m^2", 1, wall_heat_flux_.values()},
-          {"wall_area", "m^(dim-1)", 1, met_area_.values()}};
+          {"wall_area", areas[points_.dimension() - 1], 1, met_area_.values()}};
 }
 
 std::vector<Balance> PeridynamicHeat::balances() const {

@@ -65,11 +65,11 @@ def ends_of(views: Sequence[View]) -> tuple[np.ndarray, np.ndarray]:
     return low - room, high + room
 
 
-def dot_areas(axes: Axes, spacing: np.ndarray) -> np.ndarray:
+def dot_areas(axes: Axes, spacing: np.ndarray, wider: float = 1.12) -> np.ndarray:
     """Areas of dots (points^2) whose sides are `spacing` (m) as the axes are laid out now."""
     figure = axes.get_figure(root=True)
     assert figure is not None
     ends = axes.transData.transform([(0, 0), (1, 0)])
-    side = 72 / figure.dpi * (ends[1, 0] - ends[0, 0]) * 1.12 * spacing
+    side = 72 / figure.dpi * (ends[1, 0] - ends[0, 0]) * wider * spacing
     areas: np.ndarray = np.maximum(side, 0.4) ** 2
     return areas

@@ -146,7 +146,9 @@ def draw_view(axes: Axes, view: View, limits: Limits, colours: str) -> Any:
     first, second = view.axes
     if len(view.walls):
         walls = view.position[view.walls]
-        axes.scatter(walls[:, first], walls[:, second], c="0.8", marker="s", linewidths=0)
+        axes.scatter(
+            walls[:, first], walls[:, second], c="0.8", marker="s", linewidths=0, zorder=1.2
+        )
     dots = axes.scatter(
         view.position[view.rows, first],
         view.position[view.rows, second],
@@ -163,7 +165,9 @@ def draw_view(axes: Axes, view: View, limits: Limits, colours: str) -> Any:
 
 def fit_dots(axes: Axes, view: View, dots: Any) -> None:
     """Give dots the size of the points' boxes, now that the axes are laid out."""
-    dots.set_sizes(dot_areas(axes, view.spacing[view.rows]))
+    # Points of a fluid lie in no rows: wider dots leave no gaps between them.
+    wider = 1.5 if len(view.walls) else 1.12
+    dots.set_sizes(dot_areas(axes, view.spacing[view.rows], wider))
     if len(view.walls):
         walls: Any = next(one for one in axes.collections if one is not dots)
         walls.set_sizes(dot_areas(axes, view.spacing[view.walls]))

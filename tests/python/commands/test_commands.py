@@ -164,3 +164,32 @@ def test_commands_start_light() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.splitlines()[-1] == ""
+
+
+def test_every_other_command_prints_json_too(
+    scene_file: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["run", scene_file, "-q"]) == 0
+    assert printed(["new", "heat", "--json"], capsys) == {"wrote": ["heat.toml"]}
+    assert printed(["plot", "ring.vtkhdf", "--json"], capsys) == {"wrote": ["ring.png"]}
+    assert printed(["report", "ring.vtkhdf", "--json"], capsys) == {"wrote": ["ring.html"]}
+    assert {"code", "said when", "what to do"} < set(
+        printed(["keys", "notes", "--json"], capsys)[0]
+    )
+    cases = ["study", scene_file, "--vary", "heat.boundaries.0.coefficient=1,-1", "--json", "-q"]
+    rows = printed([*cases, "--quantity", "temperature"], capsys)
+    assert [row["status"] for row in rows] == ["finished", "refused"]
+    found = printed(["suggest", scene_file, "--target-error", "0.1", "--json", "-q"], capsys)
+    assert found["error"] < 0.1
+    assert printed(["schema"], capsys)["title"]
+    assert printed(["extremes", "--only", "static", "--quick", "--json", "-"], capsys)
+
+
+def test_no_command_is_without_json() -> None:
+    """But those whose output is a file in a language of its own."""
+    from lapilli.cli import application
+
+    for name in set(COMMANDS) - {"completion", "schema", "examples"}:
+        command = application()[name]
+        names = command.default_command.__annotations__
+        assert "json" in names, name

@@ -3,11 +3,13 @@
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import lapilli as lp
 from lapilli import _core, new_scene
 from lapilli.cli import main
+from lapilli.study import InProcess, tradeoff
 
 METHODS = ["heat", "soil", "static", "flow"]
 
@@ -99,3 +101,55 @@ def test_names_of_files_are_spelt_as_toml(name: str, tmp_path: Path) -> None:
     scene = tmp_path / name
     assert main(["new", "heat", "--output", str(scene), "-q"]) == 0
     assert lp.Scene.load(scene).output.path == scene.stem + ".vtkhdf"
+
+
+def ran(method: str) -> lp.Result:
+    """A new scene, run to its end without a word of warning."""
+    assert main(["new", method, "--quiet"]) == 0
+    result = lp.run(f"{method}.toml", progress=False)
+    assert [*result.summary.notes, *result.warnings] == []
+    return result
+
+
+def test_a_new_disk_warms_as_the_series_says() -> None:
+    assert main(["new", "heat", "--quiet"]) == 0
+    scene = lp.Scene.load("heat.toml")
+    cell = {"grid.cell": [scene.grid.cell]}
+    (row,) = tradeoff(scene, cell, "radial", repeats=1, runner=InProcess()).rows
+    assert row.error < 0.005 * (600 - 293)
+
+
+def test_new_sand_comes_to_rest_and_keeps_its_energy() -> None:
+    result = ran("soil")
+    assert np.hypot(result.history["foot_x"][-1], result.history["foot_y"][-1]) < 0.01
+    assert abs(result.balance["energy"].residual) < 0.01
+    assert 1.2 < result.history["position_x/largest"][-1] - 1 < 1.8  # m, of a column of one metre
+
+
+def test_a_new_bar_bends_as_a_beam() -> None:
+    result = ran("static")
+    bar = lp.Scene.load("static.toml").bodies[0]
+    (_, _), (length, height) = bar.shape.lower, bar.shape.upper
+    load, steel = 1e6 * height, bar.material
+    shear = steel.youngs_modulus / (2 * (1 + steel.poissons_ratio))
+    stiffness = steel.youngs_modulus / (1 - steel.poissons_ratio**2) * height**3 / 12
+    deflection = load * length**3 / (3 * stiffness) + 1.2 * load * length / (shear * height)
+    assert -result.history["tip_y"][-1] == pytest.approx(deflection, rel=0.03)
+
+
+def test_new_air_carries_the_heat_of_its_rayleigh_number() -> None:
+    """7,700: between 1.118 at 1e3 and 2.243 at 1e4 (de Vahl Davis 1983), on a power of Ra."""
+    result = ran("flow")
+    air = lp.Scene.load("flow.toml").bodies[0]
+    size = air.shape.upper[0] - air.shape.lower[0]
+    thermal, fluid = air.material
+    diffusivity = thermal.conductivity / (thermal.density * thermal.specific_heat)
+    viscosity = fluid.viscosity / fluid.density
+    rayleigh = 9.81 * fluid.thermal_expansion * 10 * size**3 / (viscosity * diffusivity)
+    nusselt = result.history["heat/heat_flow_from_wall_hot"][-1] / (10 * thermal.conductivity)
+    expected = 2.243 * (rayleigh / 1e4) ** np.log10(2.243 / 1.118)
+    assert nusselt == pytest.approx(expected, rel=0.06)
+    given, taken = (
+        result.history[f"heat/heat_flow_from_wall_{one}"][-1] for one in ("hot", "cold")
+    )
+    assert given == pytest.approx(-taken, rel=0.02)

@@ -257,6 +257,45 @@ def test_walls_of_a_fluid_are_grey(tmp_path: Path) -> None:
     assert figure.axes[0].collections[1].get_clim()[1] < 5
 
 
+def test_a_fluid_is_drawn_without_gaps_and_within_its_walls(tmp_path: Path) -> None:
+    """Points that have left their rows: a belt has dragged them along."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    sides = {
+        "left": ((-0.3, -0.3), (0, 1.3)),
+        "right": ((1, -0.3), (1.3, 1.3)),
+        "floor": ((0, -0.3), (1, 0)),
+        "belt": ((0, 1), (1, 1.3)),
+    }
+    walls = [lp.FluidWall(name=k, shape=lp.Box(lower=a, upper=b)) for k, (a, b) in sides.items()]
+    walls[-1].velocity = (1.0, 0.0)
+    scene = lp.Scene(
+        grid=lp.Grid(lower=(-0.5, -0.5), upper=(1.5, 1.5), cell=0.1),
+        bodies=[
+            lp.Body(
+                shape=lp.Box(lower=(0, 0), upper=(1, 1)),
+                material=lp.Newtonian(density=1, viscosity=0.05),
+            )
+        ],
+        peridynamics=lp.Peridynamics(flow=lp.PeridynamicFlow(), walls=walls),
+        time=lp.Time(end=2.0),
+    )
+    frames = lp.run(scene, tmp_path / "lid.vtkhdf", progress=False).frames
+    figure = plot.draw(frames, "velocity", style=Style(colours="bone", limits=(-1.0, 1.2)))
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    image = np.asarray(canvas.buffer_rgba())[::-1, :, :3]
+    axes = figure.axes[0]
+
+    def pixels(left: float, right: float) -> np.ndarray:
+        ends = axes.transData.transform([(left, 0.02), (right, 0.98)]).round().astype(int)
+        (x0, y0), (x1, y1) = ends
+        return image[y0:y1, x0:x1].reshape(-1, 3)
+
+    assert (pixels(0.02, 0.98) == 255).all(axis=1).mean() < 2e-3  # white; it was .02
+    assert (pixels(-0.15, -0.02) == 204).all()  # the grey of a wall
+
+
 @pytest.mark.slow
 def test_a_frame_of_ten_thousand_points_takes_a_tenth_of_a_second(tmp_path: Path) -> None:
     """0.05 to 0.08 CPU seconds were measured; other programs share the machine."""
