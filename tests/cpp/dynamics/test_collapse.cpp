@@ -53,7 +53,7 @@ TEST_CASE("a collapsing column closes its energy account") {
     CAPTURE(name_of(update), released, gap / released, run->value("plastic dissipation") / released,
             run->value("transfer loss") / released, run->value("wall impact") / released,
             run->value("wall friction") / released);
-    CHECK(std::abs(gap) < 0.01 * released);
+    CHECK(std::abs(gap) < 0.001 * released);  // found 4e-5; with the stress reached .01 to .02
     CHECK(run->value("plastic dissipation") > 0.3 * released);
     CHECK(run->value("kinetic energy") < 0.01 * released);
   }

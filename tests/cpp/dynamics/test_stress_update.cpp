@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <numbers>
+#include <random>
 
 #include "lapilli/mpm/dynamics/stress_update.hpp"
 
@@ -137,4 +138,66 @@ TEST_CASE("sand that comes apart presses again where its grains meet, not before
   };
   cycle.operator()<2>();
   cycle.operator()<3>();
+}
+
+namespace {
+
+/// Uniform in [-1, 1].
+struct Drawn {
+  std::mt19937_64 engine{7};
+  double operator()() { return std::uniform_real_distribution<double>(-1.0, 1.0)(engine); }
+};
+
+/// A drawn step of one point: what its work leaves when stored and lost are taken, over the work.
+template <int Dim>
+double left_open(const Solid& solid, Drawn& draw, double size) {
+  constexpr int components = Dim == 2 ? 4 : 6;
+  const StressMaterial material(solid);
+  DeformationBlock<Dim> block;
+  for (int c = 0; c < Dim * Dim; ++c) {
+    block.gradient[c][0] = size * draw();
+  }
+  double stress[6], state[1] = {0.0};
+  double* states[1] = {state};
+  SymmetricTensor start;
+  for (int c = 0; c < components; ++c) {
+    start[c] = 10.0 * draw() - (c < 3 ? 10.0 : 0.0);
+    stress[c] = start[c];
+  }
+  const bool is_loose = draw() > 0.0;
+  const double mass = 1.0, free_strain = 0.1 * size * draw();
+  double volume = 1.0, opened = is_loose ? 0.3 * size : 0.0;
+  StressRows at{stress, &volume, &mass, &free_strain, nullptr, &opened, states, 1};
+  const StressSums found = update_stress<Dim>(material, block, at, 0, 1);
+  SymmetricTensor reached;
+  std::copy_n(stress, components, reached.components.begin());
+  const double before = elastic_energy(material, start), after = elastic_energy(material, reached);
+  // Per volume: that of a rate law is another after the step.
+  const double stored = 0.5 * (1.0 + volume) * (after - before);
+  const double work = found.strain_work + found.expansion;
+  return std::abs(stored + found.plastic - work) / (before + after + std::abs(work));
+}
+
+}  // namespace
+
+TEST_CASE("what a step of yield works is stored or lost, whatever its size") {
+  const LinearElastic soft{1.0, 1e3, 0.25};
+  VonMises metal;
+  metal.elastic = soft;
+  metal.yield_stress = {4.0, 8.0};
+  metal.plastic_strain = {0.0, 0.02};
+  Drawn draw;
+  for (const Solid& solid :
+       {Solid(soft), Solid(MohrCoulomb{soft, 30.0}), Solid(MohrCoulomb{soft, 30.0, 10.0, 2.0, 1.0}),
+        Solid(DruckerPrager{soft, 30.0, 5.0, 1.0}), Solid(metal),
+        Solid(TabulatedMohrCoulomb{soft, {0.0, 0.01}, {35.0, 30.0}, {10.0, 0.0}}),
+        Solid(ModifiedCamClay{soft, 1.2, 0.04, 10.0})}) {
+    double worst = 0.0;
+    for (int k = 0; k < 100; ++k) {
+      const double size = std::pow(10.0, 1.5 * draw() - 2.5);  // of a thousandth of the yield on
+      worst = std::max({worst, left_open<2>(solid, draw, size), left_open<3>(solid, draw, size)});
+    }
+    CAPTURE(solid.index());
+    CHECK(worst < 1e-12);
+  }
 }

@@ -128,21 +128,29 @@ Real contract(const ElasticConstants& m, const Real (&trial)[components],
   return sum;
 }
 
-/// Stress times the plastic strain that a return from `trial` to `s` means, J/m^3.
+/// The mean stress of the step on the plastic strain that a return from `trial` to `s` means,
+/// J/m^3. With what the strain and free strain of the step store elastically it adds up to their
+/// work; the stress reached alone would leave out half of what a first or last step of yield turns
+/// over.
 template <class Real, int components>
 Real dissipation(const ElasticConstants& m, const Real (&trial)[components],
-                 const Real (&s)[components]) {
-  const double share = m.lambda / (3.0 * m.lambda + 2.0 * m.shear_modulus);
-  Real drop[components];
+                 const Real (&s)[components], const Real (&strain)[components], Real free_strain) {
+  const double twice = 2.0 * m.shear_modulus;
+  const double share = m.lambda / (3.0 * m.lambda + twice);
+  const Real added =
+      m.lambda * (strain[0] + strain[1] + strain[2]) - (3.0 * m.lambda + twice) * free_strain;
+  Real drop[components], mean[components];
   for (int c = 0; c < components; ++c) {
+    const Real elastic = c < 3 ? added + twice * strain[c] : m.shear_modulus * strain[c];
     drop[c] = trial[c] - s[c];
+    mean[c] = s[c] - 0.5 * (elastic - drop[c]);
   }
   const Real pressure = share * (drop[0] + drop[1] + drop[2]);
-  Real normal =
-      s[0] * (drop[0] - pressure) + s[1] * (drop[1] - pressure) + s[2] * (drop[2] - pressure);
-  Real shear = s[3] * drop[3];
+  const Real normal = mean[0] * (drop[0] - pressure) + mean[1] * (drop[1] - pressure) +
+                      mean[2] * (drop[2] - pressure);
+  Real shear = mean[3] * drop[3];
   for (int c = 4; c < components; ++c) {
-    shear += s[c] * drop[c];
+    shear += mean[c] * drop[c];
   }
   return (normal + 2.0 * shear) * (0.5 / m.shear_modulus);
 }

@@ -87,7 +87,9 @@ StressSums update_rows(const StressMaterial& material, const Law& its_law,
       for (int k = 0; k < Law::states; ++k) {
         store(rows.state[k] + row, state[k]);
       }
-      work = volume * dissipation(m, trial, s);
+      // What closes a gap bears on the way: its strain is lost like a plastic one.
+      const Real closed = 0.5 * (given - free_strain) * (trace + s[0] + s[1] + s[2]);
+      work = 0.5 * (before + volume) * (dissipation(m, trial, s, strain, free_strain) - closed);
       if constexpr (Law::parts) {
         store(rows.opened + row, opened + parted(m, parts_at, trial, s));
       }
