@@ -49,6 +49,9 @@ inline constexpr NoteKind note_kinds[] = {
      "A temperature is held on a part of the surface of bodies that deform: heat crowds at its "
      "ends.",
      "Smaller cells; the note says how far off the heat is."},
+    {"heat.narrow-hold",
+     "A temperature is held, or all but, on a strip of the surface a few cells wide.",
+     "Smaller cells; the note says how far off the heat is."},
     {"heat.slanted-interface",
      "A body touches one that conducts much better, at an angle to the grid.",
      "More cells across it, or an entry in `[[heat.contacts]]`."},

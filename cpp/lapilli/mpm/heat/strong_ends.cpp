@@ -124,9 +124,8 @@ std::vector<std::vector<SurfacePiece<Dim>>> StrongEnds<Dim>::pieces(SurfaceFound
   return all;
 }
 
-std::vector<std::string> narrow_holds(std::span<const SurfaceFound> found,
-                                      const HeatSettings& settings) {
-  std::vector<std::string> all;
+std::vector<Note> narrow_holds(std::span<const SurfaceFound> found, const HeatSettings& settings) {
+  std::vector<Note> all;
   for (std::size_t law = 0; law < settings.boundaries.size(); ++law) {
     double area = 0.0, lost = 0.0;
     for (const SurfaceFound& body : found) {
@@ -136,11 +135,11 @@ std::vector<std::string> narrow_holds(std::span<const SurfaceFound> found,
     // Found on patches of .3 to 5 cells: 3 % at 4 cells, 10 % at one.
     const double off = area > 0.0 ? (lost < most_lost * area ? 0.3 : 0.5) * lost / area : 0.0;
     if (off > 0.03) {
-      all.push_back(message("heat.boundaries.", law, " (",
-                            name_of_law(settings.boundaries[law], law),
-                            ") all but holds a strip of the surface a few cells wide, at whose "
-                            "ends heat crowds: its heat may be off by ",
-                            std::lround(100.0 * off), " %; halve grid.cell to halve that"));
+      all.push_back(note("heat.narrow-hold", "heat.boundaries.", law, " (",
+                         name_of_law(settings.boundaries[law], law),
+                         ") all but holds a strip of the surface a few cells wide, at whose "
+                         "ends heat crowds: its heat may be off by ",
+                         std::lround(100.0 * off), " %; halve grid.cell to halve that"));
     }
   }
   return all;

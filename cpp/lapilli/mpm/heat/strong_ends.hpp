@@ -1,10 +1,10 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
+#include "lapilli/core/note.hpp"
 #include "lapilli/mpm/heat/heat_part.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
 #include "lapilli/mpm/surface/divide_pieces.hpp"
@@ -45,7 +45,6 @@ class StrongEnds {
 };
 
 /// What to warn of where a surface that is held, or all but, is so narrow that its ends tell.
-std::vector<std::string> narrow_holds(std::span<const SurfaceFound> found,
-                                      const HeatSettings& settings);
+std::vector<Note> narrow_holds(std::span<const SurfaceFound> found, const HeatSettings& settings);
 
 }  // namespace lapilli
