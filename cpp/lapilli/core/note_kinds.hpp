@@ -93,6 +93,8 @@ inline constexpr NoteKind note_kinds[] = {
      "A `k0` within the range in the note."},
     {"dynamics.open-energy", "The balance of energy does not close.",
      "A smaller `courant`, smaller cells, more points per cell; else treat energies as rough."},
+    {"dynamics.gained-energy", "The motion gains energy that nothing put in.",
+     "The default transfer, stress update and functions, or a smaller `dynamics.courant`."},
     {"dynamics.large-elastic-strain", "Elastic strains are beyond what the law is good for.",
      "A stiffer material, if that is not meant."},
     {"dynamics.region-left", "The material has moved out of the region of a load.",

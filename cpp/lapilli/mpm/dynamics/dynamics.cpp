@@ -96,7 +96,7 @@ StepReport Dynamics<Dim>::advance(const Step& step) {
   strain_rate_ = std::sqrt(sums.strain) / step.size;
   watch_energy(sums);
   if (open_energy_.is_due()) {
-    open_energy_.look(energy_balance(), watch_.largest(), elastic_strain());
+    look_at_energy(open_energy_);
   }
   carry_points();
   return {.accepted = step.size};

@@ -119,12 +119,15 @@ class Dynamics final : public Physics,
   double kinetic_energy_of(Index row) const;
   double elastic_energy_of(Index row) const;
   void watch_energy(const PointSums& sums);
+  /// J, that are no gain of energy: what strains of 1e-8 store.
+  double rounding() const { return 1e-16 * total_mass_ * wave_speed_ * wave_speed_; }
   double energy_gained() const;
   double shaking_step() const;
   double kinetic_energy() const;
   double potential_energy() const;
   double elastic_energy_stored() const;
   double elastic_strain() const;
+  void look_at_energy(OpenEnergy& open) const;
   OpenEnergy energy_looked_at() const;
   Vec3 linear_momentum() const;
 

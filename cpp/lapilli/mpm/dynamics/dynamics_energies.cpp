@@ -68,13 +68,18 @@ double Dynamics<Dim>::elastic_strain() const {
   return sums[0] > 0.0 ? sums[1] / sums[0] : 0.0;
 }
 
+template <int Dim>
+void Dynamics<Dim>::look_at_energy(OpenEnergy& open) const {
+  open.look(energy_balance(), watch_.largest(), elastic_strain(), energy_gained() - rounding());
+}
+
 /// At the end too, but not in the first steps, in which the half step between strain and force is
 /// much of all there is.
 template <int Dim>
 OpenEnergy Dynamics<Dim>::energy_looked_at() const {
   OpenEnergy looked_at = open_energy_;
   if (looked_at.has_looked()) {
-    looked_at.look(energy_balance(), watch_.largest(), elastic_strain());
+    look_at_energy(looked_at);
   }
   return looked_at;
 }
@@ -91,6 +96,8 @@ template double Dynamics<2>::elastic_energy_stored() const;
 template double Dynamics<3>::elastic_energy_stored() const;
 template double Dynamics<2>::elastic_strain() const;
 template double Dynamics<3>::elastic_strain() const;
+template void Dynamics<2>::look_at_energy(OpenEnergy&) const;
+template void Dynamics<3>::look_at_energy(OpenEnergy&) const;
 template OpenEnergy Dynamics<2>::energy_looked_at() const;
 template OpenEnergy Dynamics<3>::energy_looked_at() const;
 

@@ -21,9 +21,7 @@ template <int Dim>
 void Dynamics<Dim>::watch_energy(const PointSums& sums) {
   ahead_ = sums.work_ahead;
   const double gained = energy_gained();
-  // What strains of 1e-8 store.
-  const double rounding = 1e-16 * total_mass_ * wave_speed_ * wave_speed_;
-  if (!watch_.add_step(sums.kinetic, sums.strain_work, gained, rounding)) {
+  if (!watch_.add_step(sums.kinetic, sums.strain_work, gained, rounding())) {
     throw RunError(
         message("the motion has gained ", gained, " J that nothing put in, ",
                 100.0 * gained / watch_.largest(), " % of its largest energy: dynamics.transfer ",

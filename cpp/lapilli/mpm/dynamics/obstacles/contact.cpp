@@ -8,9 +8,6 @@
 namespace lapilli {
 namespace {
 
-/// Measured: one warm sweep gains energy in an impact, four do not.
-constexpr int sweeps = 4;
-
 /// Add impulses at the feet to the nodes, in the order of the contacts.
 template <int Dim, class ImpulseOf>
 void add_to_nodes(const std::vector<Contact<Dim>>& contacts, const double* mass,
@@ -95,52 +92,59 @@ Vec<Dim> improve(Contact<Dim>& contact, double friction, double* const (&velocit
   return contact.impulse() - before;
 }
 
+/// Add impulses at the feet to both sides.
+template <int Dim, class ImpulseOf>
+void give(std::vector<Contact<Dim>>& contacts, const double* mass, double* const (&velocity)[Dim],
+          RigidMotion& motion, const ImpulseOf& impulse_of) {
+  add_to_nodes(contacts, mass, velocity, impulse_of);
+  if (motion.is_free()) {
+    take_from_obstacle(contacts, motion, impulse_of);
+  }
+}
+
 }  // namespace
 
 template <int Dim>
-void solve_contacts(std::vector<Contact<Dim>>& contacts, double friction, const double* mass,
+void begin_contacts(std::vector<Contact<Dim>>& contacts, const double* mass,
                     double* const (&velocity)[Dim], RigidMotion& motion,
                     std::vector<double>& crowd) {
   set_masses(contacts, mass, motion, crowd);
-  const auto give = [&](const auto& impulse_of) {
-    add_to_nodes(contacts, mass, velocity, impulse_of);
-    if (motion.is_free()) {
-      take_from_obstacle(contacts, motion, impulse_of);
-    }
-  };
-  give([&](std::size_t k) { return contacts[k].impulse(); });
+  give(contacts, mass, velocity, motion, [&](std::size_t k) { return contacts[k].impulse(); });
+}
+
+template <int Dim>
+void sweep_contacts(std::vector<Contact<Dim>>& contacts, double friction, const double* mass,
+                    double* const (&velocity)[Dim], RigidMotion& motion) {
   std::vector<Vec<Dim>> change(contacts.size());
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    parallel_for(static_cast<Index>(contacts.size()),
-                 [&](Index k) { change[k] = improve(contacts[k], friction, velocity); });
-    give([&](std::size_t k) { return change[k]; });
-  }
+  parallel_for(static_cast<Index>(contacts.size()),
+               [&](Index k) { change[k] = improve(contacts[k], friction, velocity); });
+  give(contacts, mass, velocity, motion, [&](std::size_t k) { return change[k]; });
 }
 
 template <int Dim>
 void match_contacts(const std::vector<Contact<Dim>>& contacts, const double* mass,
                     double* const (&velocity)[Dim]) {
   std::vector<Vec<Dim>> change(contacts.size());
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    parallel_for(static_cast<Index>(contacts.size()), [&](Index k) {
-      const Contact<Dim>& contact = contacts[k];
-      change[k] = Vec<Dim>::Zero();
-      if (contact.acts()) {
-        const double across = (contact.solved - contact.at_foot(velocity)).dot(contact.normal);
-        change[k] = contact.mass * across * contact.normal;
-      }
-    });
-    add_to_nodes(contacts, mass, velocity, [&](std::size_t k) { return change[k]; });
-  }
+  parallel_for(static_cast<Index>(contacts.size()), [&](Index k) {
+    const Contact<Dim>& contact = contacts[k];
+    change[k] = Vec<Dim>::Zero();
+    if (contact.acts()) {
+      const double across = (contact.solved - contact.at_foot(velocity)).dot(contact.normal);
+      change[k] = contact.mass * across * contact.normal;
+    }
+  });
+  add_to_nodes(contacts, mass, velocity, [&](std::size_t k) { return change[k]; });
 }
 
-template void match_contacts<2>(const std::vector<Contact<2>>&, const double*,
-                                double* const (&)[2]);
-template void match_contacts<3>(const std::vector<Contact<3>>&, const double*,
-                                double* const (&)[3]);
-template void solve_contacts<2>(std::vector<Contact<2>>&, double, const double*,
-                                double* const (&)[2], RigidMotion&, std::vector<double>&);
-template void solve_contacts<3>(std::vector<Contact<3>>&, double, const double*,
-                                double* const (&)[3], RigidMotion&, std::vector<double>&);
+#define LAPILLI_INSTANTIATE(Dim)                                                                \
+  template void begin_contacts<Dim>(std::vector<Contact<Dim>>&, const double*,                  \
+                                    double* const(&)[Dim], RigidMotion&, std::vector<double>&); \
+  template void sweep_contacts<Dim>(std::vector<Contact<Dim>>&, double, const double*,          \
+                                    double* const(&)[Dim], RigidMotion&);                       \
+  template void match_contacts<Dim>(const std::vector<Contact<Dim>>&, const double*,            \
+                                    double* const(&)[Dim]);
+LAPILLI_INSTANTIATE(2)
+LAPILLI_INSTANTIATE(3)
+#undef LAPILLI_INSTANTIATE
 
 }  // namespace lapilli

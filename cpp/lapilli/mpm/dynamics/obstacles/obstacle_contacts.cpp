@@ -98,9 +98,7 @@ void ObstacleContacts<Dim>::keep() {
 }
 
 template <int Dim>
-typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::push(DynamicsData<Dim>& data,
-                                                                 double step,
-                                                                 std::vector<double>& crowd) {
+void ObstacleContacts<Dim>::meet(DynamicsData<Dim>& data) {
   double *velocity[Dim], *increment[Dim];
   for (int axis = 0; axis < Dim; ++axis) {
     velocity[axis] = data.nodes.velocity(axis);
@@ -114,9 +112,36 @@ typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::push(DynamicsData<Di
       contact.start = contact.approach - contact.at_foot(increment);
     }
   }
+}
+
+template <int Dim>
+void ObstacleContacts<Dim>::begin(DynamicsData<Dim>& data, double step,
+                                  std::vector<double>& crowd) {
+  double* velocity[Dim];
+  for (int axis = 0; axis < Dim; ++axis) {
+    velocity[axis] = data.nodes.velocity(axis);
+  }
   start_from(last_step_ > 0.0 ? step / last_step_ : 0.0);
   hold_light_nodes<Dim>(light_, data.nodes.mass(), velocity, motion_, contacts_);
-  solve_contacts<Dim>(contacts_, friction_, data.nodes.mass(), velocity, motion_, crowd);
+  begin_contacts<Dim>(contacts_, data.nodes.mass(), velocity, motion_, crowd);
+}
+
+template <int Dim>
+void ObstacleContacts<Dim>::sweep(DynamicsData<Dim>& data) {
+  double* velocity[Dim];
+  for (int axis = 0; axis < Dim; ++axis) {
+    velocity[axis] = data.nodes.velocity(axis);
+  }
+  sweep_contacts<Dim>(contacts_, friction_, data.nodes.mass(), velocity, motion_);
+}
+
+template <int Dim>
+typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::finish(DynamicsData<Dim>& data,
+                                                                   double step) {
+  double* velocity[Dim];
+  for (int axis = 0; axis < Dim; ++axis) {
+    velocity[axis] = data.nodes.velocity(axis);
+  }
   keep();
   last_step_ = step;
   force_.setZero();
@@ -149,12 +174,20 @@ void ObstacleContacts<Dim>::book(std::vector<Contact<Dim>>& contacts,
 }
 
 template <int Dim>
-void ObstacleContacts<Dim>::push_second(DynamicsData<Dim>& data) {
+void ObstacleContacts<Dim>::sweep_second(DynamicsData<Dim>& data) {
   double* velocity[Dim];
   for (int axis = 0; axis < Dim; ++axis) {
     velocity[axis] = data.nodes.second_velocity(axis);
   }
   match_contacts<Dim>(contacts_, data.nodes.mass(), velocity);
+}
+
+template <int Dim>
+void ObstacleContacts<Dim>::finish_second(DynamicsData<Dim>& data) {
+  double* velocity[Dim];
+  for (int axis = 0; axis < Dim; ++axis) {
+    velocity[axis] = data.nodes.second_velocity(axis);
+  }
   match_light_nodes<Dim>(light_, velocity);
 }
 

@@ -31,17 +31,25 @@ class ObstacleContacts {
   /// Contacts of the points where they are. No point has moved farther than `travelled` (m, since
   /// the start) plus `reach`.
   void find(const DynamicsData<Dim>& data, double step, double travelled, double reach);
-  /// Impulses of the step on the solved velocity: books what the obstacle gave, and returns what
-  /// became of the energy.
+  /// Then, for all obstacles in turn: what they meet at the solved velocity, before any of them has
+  /// pushed; ...
+  void meet(DynamicsData<Dim>& data);
+  /// ... the impulses of the step before; ...
+  void begin(DynamicsData<Dim>& data, double step, std::vector<double>& crowd);
+  /// ... `contact_sweeps` times better ones; ...
+  void sweep(DynamicsData<Dim>& data);
+  /// ... and the end: books what the obstacle gave, and returns what became of the energy.
   struct Work {
     double kinetic = 0.0;   // J, added to the nodes after the forces
     double given = 0.0;     // J, by the motion of the obstacle
     double friction = 0.0;  // J, lost along the surface (negative)
     double impact = 0.0;    // J, lost across it
   };
-  Work push(DynamicsData<Dim>& data, double step, std::vector<double>& crowd);
-  /// What they mean for the velocity projected again (MUSL), which only strains.
-  void push_second(DynamicsData<Dim>& data);
+  Work finish(DynamicsData<Dim>& data, double step);
+  /// What they mean for the velocity projected again (MUSL), which only strains: sweeps of all
+  /// obstacles, and the end.
+  void sweep_second(DynamicsData<Dim>& data);
+  void finish_second(DynamicsData<Dim>& data);
   /// After it: the next step starts from the impulses of the present contacts.
   void finish_step();
 

@@ -74,7 +74,11 @@ void Obstacles<Dim>::push(DynamicsData<Dim>& data, const Step& step, double spee
   const double reach = step.size * (speed + this->speed());
   for (const auto& one : each_) {
     one->find(data, step.size, travelled_, reach);
-    const auto work = one->push(data, step.size, crowd_);
+    one->meet(data);
+  }
+  solve(data, step.size);
+  for (const auto& one : each_) {
+    const auto work = one->finish(data, step.size);
     given_ += work.given;
     sums.friction += work.friction;
     sums.impact += work.impact;
@@ -100,10 +104,28 @@ void Obstacles<Dim>::push(DynamicsData<Dim>& data, const Step& step, double spee
   }
 }
 
+/// In turns: each after the other, the last would push what it shares into the first, step by step.
+template <int Dim>
+void Obstacles<Dim>::solve(DynamicsData<Dim>& data, double step) {
+  for (const auto& one : each_) {
+    one->begin(data, step, crowd_);
+  }
+  for (int sweep = 0; sweep < contact_sweeps; ++sweep) {
+    for (const auto& one : each_) {
+      one->sweep(data);
+    }
+  }
+}
+
 template <int Dim>
 void Obstacles<Dim>::push_second(DynamicsData<Dim>& data) {
+  for (int sweep = 0; sweep < contact_sweeps; ++sweep) {
+    for (const auto& one : each_) {
+      one->sweep_second(data);
+    }
+  }
   for (const auto& one : each_) {
-    one->push_second(data);
+    one->finish_second(data);
   }
 }
 

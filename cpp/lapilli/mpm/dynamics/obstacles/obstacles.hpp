@@ -42,6 +42,8 @@ class Obstacles {
   void load(const Archive& archive, const std::string& prefix);
 
  private:
+  void solve(DynamicsData<Dim>& data, double step);
+
   PointSkins skins_;
   std::vector<std::unique_ptr<ObstacleContacts<Dim>>> each_;
   std::vector<double> crowd_;        // scratch over the nodes
