@@ -14,6 +14,7 @@
 #include "lapilli/scene/common_motion.hpp"
 #include "lapilli/scene/idle_rules.hpp"
 #include "lapilli/scene/place_errors.hpp"
+#include "lapilli/scene/shallow_heat.hpp"
 
 namespace lapilli {
 namespace {
@@ -212,6 +213,7 @@ std::vector<std::string> heat_warnings(const Scene& scene) {
       }
     }
   }
+  std::ranges::move(shallow_heat(scene), std::back_inserter(all));
   if (scene.heat && is_heat_of_points(scene)) {
     std::ranges::move(strong_convection_warnings(scene), std::back_inserter(all));
     std::ranges::move(held_part_warnings(scene), std::back_inserter(all));
