@@ -15,6 +15,7 @@
 #include "lapilli/scene/common_motion.hpp"
 #include "lapilli/scene/idle_rules.hpp"
 #include "lapilli/scene/place_errors.hpp"
+#include "lapilli/scene/shallow_heat.hpp"
 
 namespace lapilli {
 namespace {
@@ -221,6 +222,7 @@ std::vector<Note> heat_warnings(const Scene& scene) {
       }
     }
   }
+  std::ranges::move(shallow_heat(scene), std::back_inserter(all));
   if (scene.heat && is_heat_of_points(scene)) {
     std::ranges::move(strong_convection_warnings(scene), std::back_inserter(all));
     std::ranges::move(held_part_warnings(scene), std::back_inserter(all));
