@@ -79,6 +79,9 @@ class PythonSimulation {
   std::thread::id stepped_by_;  // read and written with the GIL held
 };
 
+/// Its balances, diagnostics, warnings, volumes, surface and step limits.
+void bind_accounts(py::class_<PythonSimulation>& bound);
+
 }  // namespace lapilli::python
 
 namespace pybind11::detail {

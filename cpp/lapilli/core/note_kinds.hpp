@@ -52,6 +52,8 @@ inline constexpr NoteKind note_kinds[] = {
     {"heat.narrow-hold",
      "A temperature is held, or all but, on a strip of the surface a few cells wide.",
      "Smaller cells; the note says how far off the heat is."},
+    {"heat.shallow", "A run ends before heat has come as deep as the cells at the surface.",
+     "The cells that the note names, or a later end."},
     {"heat.slanted-interface",
      "A body touches one that conducts much better, at an angle to the grid.",
      "More cells across it, or an entry in `[[heat.contacts]]`."},

@@ -46,8 +46,8 @@ Strongest strongest_on(const Scene& scene, const Body& body, double conductivity
 
 }  // namespace
 
-std::vector<std::string> shallow_heat(const Scene& scene) {
-  std::vector<std::string> all;
+std::vector<Note> shallow_heat(const Scene& scene) {
+  std::vector<Note> all;
   double least = 1.0;  // of the depth that would do
   for (std::size_t k = 0; scene.heat && k < scene.bodies.size(); ++k) {
     const Body& body = scene.bodies[k];
@@ -65,11 +65,11 @@ std::vector<std::string> shallow_heat(const Scene& scene) {
     }
     least = cells / wanted;
     const std::string name = body.name.empty() ? std::string() : message(" (", body.name, ")");
-    all = {message("bodies.", k, name, ": heat comes ", depth, " m deep by time.end, ", cells,
-                   " cells: so early what heat.boundaries.", law,
-                   " gives is off by some percent, below half a cell by a tenth to a half; with "
-                   "grid.cell = ",
-                   depth / 1.5, " it is right")};
+    all = {note("heat.shallow", "bodies.", k, name, ": heat comes ", depth, " m deep by time.end, ",
+                cells, " cells: so early what heat.boundaries.", law,
+                " gives is off by some percent, below half a cell by a tenth to a half; with "
+                "grid.cell = ",
+                depth / 1.5, " it is right")};
   }
   return all;
 }
