@@ -13,10 +13,6 @@ from lapilli.plot import Style
 from lapilli.plot.view import view_of
 
 
-def labels(figure) -> list[str]:
-    return [axes.get_ylabel().replace("\n", " ") for axes in figure.axes]
-
-
 def test_walls_of_a_fluid_are_grey(tmp_path: Path) -> None:
     scene = lp.Scene(
         grid=lp.Grid(lower=(-0.5, -0.5), upper=(1.5, 1.5), cell=0.1),
