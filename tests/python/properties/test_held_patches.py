@@ -33,7 +33,7 @@ def scene(
     seed: int,
     wide: float = 0.8,
     dimension: int = 2,
-    beside: lp.Flux | lp.Convection | None = None,
+    beside: lp.Flux | lp.Convection | lp.PrescribedTemperature | None = None,
 ) -> lp.Scene:
     """`cells` along the long side, anywhere on the grid, turned."""
     rng = np.random.default_rng(seed)
@@ -80,6 +80,20 @@ def test_a_patch_takes_its_heat_anywhere(kind: str) -> None:
 
 
 @pytest.mark.parametrize("kind", ["held", "strong"])
+def test_a_patch_of_a_material_that_varies(kind: str) -> None:
+    """Found .1 and .5 % off in the mean."""
+    off = []
+    for seed in range(8):
+        one = scene(kind, 20, seed)
+        one.bodies[0].material = [
+            lp.Thermal(density=1.0, specific_heat=1.0, conductivity=([0.0, 1.0], [1.0, 1.0001]))
+        ]
+        off.append(heat(one) / EXACT[kind] - 1.0)
+    assert np.abs(off).max() < 0.035
+    assert abs(np.mean(off)) < 0.01
+
+
+@pytest.mark.parametrize("kind", ["held", "strong"])
 def test_a_patch_in_space_takes_its_heat(kind: str) -> None:
     found = [heat(scene(kind, 16, seed, dimension=3), 3.3 / 8) for seed in (1, 2)]
     assert np.mean(found) == pytest.approx(EXACT[kind], rel=0.02)
@@ -123,3 +137,14 @@ def test_a_narrow_patch_says_so() -> None:
     assert notes(scene("middling", 20, 1)) == []
     for wide in (0.03, 0.1, 0.3):
         assert len(notes(scene("held", 20, 1, wide=wide))) == 1
+
+
+def test_held_side_by_side_on_a_material_that_varies_says_so() -> None:
+    """A quarter of their difference beyond both, in silence."""
+    for other, said in ((0.0, 1), (1.0, 0)):
+        one = scene("held", 20, 1, beside=lp.PrescribedTemperature(name="beside", value=other))
+        one.bodies[0].material = [
+            lp.Thermal(density=1.0, specific_heat=1.0, conductivity=([0.0, 1.0], [1.0, 2.0]))
+        ]
+        found = json.loads(_core.check_json(one))["notes"]
+        assert len([note for note in found if "side by side" in note]) == said

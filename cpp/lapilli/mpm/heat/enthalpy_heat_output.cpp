@@ -159,6 +159,7 @@ std::vector<Note> EnthalpyHeat<Dim>::warnings() const {
   std::ranges::copy(drawn_gaps(found_, problem_.bodies, problem_.grid.cell_size(), Dim),
                     std::back_inserter(all));
   std::ranges::copy(narrow_holds(found_, problem_.settings), std::back_inserter(all));
+  std::ranges::copy(steps_between(found_, problem_.settings), std::back_inserter(all));
   for (const Solved& one : solved_) {
     std::ranges::copy(bridged_gaps(problem_, one.part), std::back_inserter(all));
   }

@@ -67,8 +67,9 @@ struct SurfaceFound {
 
   /// Of a condition that comes near to holding the surface.
   struct Ends {
-    double area = 0.0;  // m^(dim-1), as drawn
-    double lost = 0.0;  // of it, at ends within a face
+    double area = 0.0;     // m^(dim-1), as drawn
+    double lost = 0.0;     // of it, at ends within a face
+    int held_beside = -1;  // another that holds the surface up to an end of this one
   };
   std::vector<Ends> ends;  // by condition
 };

@@ -31,20 +31,24 @@ class StrongEnds {
   struct Parts {
     std::vector<SurfacePiece<Dim>> kept;
     std::vector<std::pair<int, SurfacePiece<Dim>>> lost;  // with who has them
+    int held_beside = -1;
   };
 
   double reach(int law, const Vec<Dim>& normal) const;
-  std::pair<int, double> strip_of(int law, const SurfacePiece<Dim>& piece) const;
+  std::pair<int, double> strip_of(int law, const SurfacePiece<Dim>& piece);
 
   const HeatProblem<Dim>& problem_;
   const HeatBody& body_;
   SurfaceDivision<Dim>& division_;
   std::vector<double> coefficient_;  // W/(m^2 K), by condition; 0 of fluxes
-  double longest_ = 0.0;             // m
+  double cell_ = 0.0;                // m; 0 where no region ends
   std::vector<Parts> parts_;         // by condition
 };
 
 /// What to warn of where a surface that is held, or all but, is so narrow that its ends tell.
 std::vector<Note> narrow_holds(std::span<const SurfaceFound> found, const HeatSettings& settings);
+
+/// What to warn of, on materials that vary, where two held temperatures meet within a face.
+std::vector<Note> steps_between(std::span<const SurfaceFound> found, const HeatSettings& settings);
 
 }  // namespace lapilli
