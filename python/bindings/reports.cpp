@@ -4,6 +4,7 @@
 #include "bindings.hpp"
 #include "initialized.hpp"
 #include "lapilli/core/balance.hpp"
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/physics.hpp"
 #include "lapilli/core/require.hpp"
 

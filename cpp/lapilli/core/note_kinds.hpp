@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "lapilli/core/note.hpp"
+
 namespace lapilli {
 
 /// A kind of note: the code that never changes, when it is said, and what to do.
@@ -132,6 +134,9 @@ inline constexpr NoteKind note_kinds[] = {
      "Leave `laplacian` out."},
     {"peridynamics.held-end", "A wall that holds a temperature ends within a side.",
      "Smaller cells; the note says how far off the heat is."},
+    {"peridynamics.large-expansion",
+     "The fluid expands by more than buoyancy that is proportional to temperature allows.",
+     "Look at the temperatures and `thermal_expansion`; are some in degrees Celsius?"},
     {"peridynamics.coarse", "The points are too few for the layers of the flow.",
      "The cell that the note names."},
 
@@ -161,5 +166,20 @@ consteval bool codes_differ() {
   return true;
 }
 static_assert(codes_differ(), "two kinds of notes have one code");
+
+consteval NoteCode::NoteCode(const char* code) : code_(code) {
+  for (const NoteKind& kind : note_kinds) {
+    if (kind.code == code_) {
+      return;
+    }
+  }
+  throw "give the note an entry in the list above";
+}
+
+/// A note of a kind, its words made of parts as those of message().
+template <class... Parts>
+Note note(NoteCode code, const Parts&... parts) {
+  return {code, message(parts...)};
+}
 
 }  // namespace lapilli

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 
 namespace lapilli {

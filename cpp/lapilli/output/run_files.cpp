@@ -1,5 +1,6 @@
 #include "lapilli/output/run_files.hpp"
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/output/checkpoint.hpp"
 #include "lapilli/output/checksum.hpp"

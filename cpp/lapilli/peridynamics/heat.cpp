@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
 

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/peridynamics/heat.hpp"
 #include "lapilli/peridynamics/peridynamic_flow.hpp"

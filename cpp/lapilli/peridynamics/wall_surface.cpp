@@ -156,25 +156,36 @@ void WallSurface::require_thickness(double horizon) const {
   // that it meets count together: how far they go along the normal of each surface point. A wall
   // between fluid and fluid is as thick for each of them as its half.
   const double needed = horizon - 1.05 * spacing_;
-  const auto layers = [&](double thickness) { return std::ceil(thickness / spacing_ - 0.05); };
   const CellList near(points_.position(), points_.dimension(), spacing_);
+  double filled = needed, to_fluid = 2.0 * needed + 0.95 * spacing_;
+  Index least_filled = -1, nearest_fluid = -1;
   for (Index point = 0; point < points_.size(); ++point) {
     if (wall(point) < 0 || depth_[point] >= 0.99 * spacing_) {
       continue;
     }
     const Behind found = behind(point, horizon, near);
-    const auto where = [&] {
-      return message("wall '", walls_[wall(point)].settings.name, "' is about ",
-                     std::min(found.filled + 0.5 * spacing_, found.to_fluid), " m thick at ",
-                     text_of(place(point), points_.dimension()));
-    };
-    const double apart = 2.0 * needed + spacing_;
-    require(found.to_fluid > apart - 0.05 * spacing_, where(),
+    if (found.to_fluid < to_fluid) {
+      to_fluid = found.to_fluid;
+      nearest_fluid = point;
+    } else if (found.filled < filled) {
+      filled = found.filled;
+      least_filled = point;
+    }
+  }
+  const auto where = [&](Index point, double thickness) {
+    return message("wall '", walls_[wall(point)].settings.name, "' is about ", thickness,
+                   " m thick at ", text_of(place(point), points_.dimension()));
+  };
+  if (nearest_fluid >= 0) {
+    const double layers = std::ceil((2.0 * needed + spacing_) / spacing_ - 0.05);
+    require(false, where(nearest_fluid, to_fluid),
             " with fluid on both sides, which points feel through it within their horizon of ",
-            horizon, " m: give it at least ", layers(apart), " layers (", layers(apart) * spacing_,
+            horizon, " m: give it at least ", layers, " layers (", layers * spacing_,
             " m), or take a smaller grid.cell");
-    require(found.filled >= needed, where(), ", thinner than the horizon of ", horizon,
-            " m: give it at least ", std::ceil(horizon / spacing_ - 0.5), " layers");
+  }
+  if (least_filled >= 0) {
+    require(false, where(least_filled, filled + 0.5 * spacing_), ", thinner than the horizon of ",
+            horizon, " m: give it at least ", std::ceil(horizon / spacing_ - 0.5), " layers");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/idle_rules.hpp"
 #include "lapilli/scene/linked_run.hpp"

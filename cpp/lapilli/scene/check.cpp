@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "lapilli/core/memory.hpp"
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/says_model.hpp"
 #include "lapilli/core/seconds_since.hpp"

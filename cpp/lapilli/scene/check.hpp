@@ -50,7 +50,7 @@ struct CheckReport {
 
   template <class... Parts>
   void say(NoteCode code, const Parts&... parts) {
-    notes.push_back(note(code, parts...));
+    notes.push_back({code, message(parts...)});
   }
 };
 

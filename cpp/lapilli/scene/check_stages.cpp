@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/stage_scenes.hpp"

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/core/seconds_since.hpp"
 #include "lapilli/mpm/heat/steps_ahead.hpp"

@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/output/checkpoint.hpp"
 #include "lapilli/output/output_error.hpp"
 #include "lapilli/scene/place_errors.hpp"

@@ -99,9 +99,11 @@ void require_within_reach(const Scene& scene, const Shape& shape, const std::str
     const double far = there.is_tight ? box.upper[axis] : box.lower[axis];
     const bool below = std::isfinite(near) && near < grid.lower[axis] - size;
     const bool above = std::isfinite(far) && far > grid.upper[axis] + size;
-    require_at(!below && !above, scene, path, "reaches far outside of the grid: along ",
-               "xyz"[axis], " it spans ", span_of(box.lower[axis], box.upper[axis]), ", the grid ",
-               span_of(grid.lower[axis], grid.upper[axis]));
+    require_at(
+        !below && !above, scene, path, "reaches far outside of the grid: along ", "xyz"[axis],
+        " it spans ", span_of(box.lower[axis], box.upper[axis]), ", the grid ",
+        span_of(grid.lower[axis], grid.upper[axis]),
+        std::holds_alternative<Mesh>(shape) ? "; a file in millimetres needs scale = 0.001" : "");
   }
 }
 

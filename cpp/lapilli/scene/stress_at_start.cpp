@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/geometry/checks.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/place_errors.hpp"

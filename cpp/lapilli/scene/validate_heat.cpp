@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/asks_for_points.hpp"
 #include "lapilli/mpm/heat/heat_in_body_frame.hpp"
@@ -189,6 +190,39 @@ std::optional<Note> axes_note(const Scene& scene, std::size_t k) {
               "along the axes of the grid");
 }
 
+/// Buoyancy is that of a small expansion. Scenes in units of their own (expansion 1 over a
+/// temperature difference of 1) are right as they are: only differences beyond 10 K are judged.
+std::optional<Note> expansion_note(const Scene& scene) {
+  constexpr double small = 0.2, counted = 10.0;  // of the volume; K
+  if (!scene.peridynamics || !scene.peridynamics->flow || !scene.peridynamics->heat) {
+    return {};
+  }
+  double least = std::numeric_limits<double>::infinity(), most = -least, expansion = 0.0;
+  const auto take = [&](const Value& temperature) {
+    least = std::min(least, temperature.least());
+    most = std::max(most, temperature.largest());
+  };
+  for (const Body& body : scene.bodies) {
+    take(body.temperature);
+    if (const auto* fluid = material_in<Newtonian>(body)) {
+      expansion = std::max(expansion, std::abs(fluid->thermal_expansion));
+    }
+  }
+  for (const FluidWallBody& wall : scene.peridynamics->walls) {
+    if (wall.heat == WallHeat::temperature || wall.heat == WallHeat::convection) {
+      take(wall.temperature);
+    }
+  }
+  const double range = most - least;
+  if (!(range > counted && std::isfinite(range) && expansion * range > small)) {
+    return {};
+  }
+  return note("peridynamics.large-expansion", "temperatures from ", least, " to ", most,
+              " K change the volume of the fluid by about ", std::round(100.0 * expansion * range),
+              " %: buoyancy in proportion to temperature is good to about 10 to 20 %; are some "
+              "temperatures degrees Celsius?");
+}
+
 }  // namespace
 
 bool is_heat_of_points(const Scene& scene) {
@@ -203,6 +237,9 @@ std::vector<Note> heat_warnings(const Scene& scene) {
   std::vector<Note> all;
   if (const std::optional<Note> celsius = celsius_warning(scene)) {
     all.push_back(*celsius);
+  }
+  if (const std::optional<Note> expands = expansion_note(scene)) {
+    all.push_back(*expands);
   }
   for (std::size_t k = 0; scene.heat && k < scene.bodies.size(); ++k) {
     // Measured on disks and squares: lattices and jitter of a quarter, then random points.

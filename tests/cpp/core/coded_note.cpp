@@ -1,7 +1,7 @@
 // Notes with and without a code. Compiled by the tests only to see what the compiler says.
 #include <vector>
 
-#include "lapilli/core/note.hpp"
+#include "lapilli/core/note_kinds.hpp"
 
 namespace lapilli {
 

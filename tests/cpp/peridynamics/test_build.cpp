@@ -42,7 +42,7 @@ TEST_CASE("bad scenes are refused with the place and the number") {
 
   scene = scene_of(layout);
   scene.region = [](const Vec3& x) { return x[0] - 0.8; };
-  REQUIRE_THAT(refusal(layout, scene), Contains("overlaps a wall") && Contains("(0.85, 0.05, 0)"));
+  REQUIRE_THAT(refusal(layout, scene), Contains("overlaps a wall") && Contains("(0.85, 0.05)"));
   scene.region = [](const Vec3& x) { return x[0] - 1.3; };
   REQUIRE_THAT(refusal(layout, scene), Contains("overlaps the fluid body"));
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/bounds.hpp"
 

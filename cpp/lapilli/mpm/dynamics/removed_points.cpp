@@ -1,4 +1,5 @@
 // Points that leave the grid and are removed.
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/dynamics.hpp"

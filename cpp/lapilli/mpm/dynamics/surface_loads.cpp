@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/geometry/span_of_shape.hpp"
 #include "lapilli/mpm/dynamics/cell_sums.hpp"
 #include "lapilli/mpm/surface/surface_regions.hpp"
 #include "lapilli/mpm/transfer/point_start.hpp"
@@ -57,10 +58,14 @@ SurfaceLoads<Dim>::SurfaceLoads(const DynamicsData<Dim>& data, const DynamicsPro
     start_area_.push_back(area_of(law));
   }
   for (std::size_t law = 0; law < laws_.size(); ++law) {
-    require(!nodes_[law].node.empty(), "dynamics.boundaries.", law, " (",
-            name_of_law(laws_[law], law), ") selects no surface: ",
-            region_of(laws_[law]) != nullptr ? "its region covers none that an earlier law left"
-                                             : "earlier laws left none");
+    if (nodes_[law].node.empty()) {
+      const Shape* region = region_of(laws_[law]);
+      require(false, "dynamics.boundaries.", law, " (", name_of_law(laws_[law], law),
+              ") selects no surface: ",
+              region != nullptr ? message("its region", span_of_shape(*region),
+                                          " covers none that an earlier condition left")
+                                : std::string("earlier conditions took all of it"));
+    }
   }
 }
 

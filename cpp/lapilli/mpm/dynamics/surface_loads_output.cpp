@@ -1,6 +1,7 @@
 // What loads on surfaces gave, and where they act.
 #include <cmath>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/surface_loads.hpp"
 

@@ -1,5 +1,6 @@
 #include "lapilli/mpm/heat/bridged_gaps.hpp"
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/mpm/surface/narrow_gap.hpp"
 
 namespace lapilli {

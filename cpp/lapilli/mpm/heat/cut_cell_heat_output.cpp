@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/bridged_gaps.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapilli/core/in_space.hpp"
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/checks.hpp"
 #include "lapilli/mpm/heat/cut_bodies.hpp"

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/quasi_static/blurred_faces.hpp"
 #include "lapilli/mpm/quasi_static/support_terms.hpp"

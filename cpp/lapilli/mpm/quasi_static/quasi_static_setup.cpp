@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/quasi_static/on_bodies.hpp"
 #include "lapilli/mpm/quasi_static/quasi_static.hpp"

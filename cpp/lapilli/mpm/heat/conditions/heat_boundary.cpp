@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/geometry/span_of_shape.hpp"
 #include "lapilli/mpm/heat/conditions/condition_parts.hpp"
 
 namespace lapilli {
@@ -18,11 +19,15 @@ static_assert(are_whole<HeatBoundary>);
 
 void require_surface(const std::vector<HeatBoundary>& conditions, std::size_t index,
                      bool is_there) {
-  require(is_there, "heat.boundaries.", index, " (", name_of_law(conditions[index], index),
+  if (is_there) {
+    return;
+  }
+  const Shape* region = region_of(conditions[index]);
+  require(false, "heat.boundaries.", index, " (", name_of_law(conditions[index], index),
           ") selects no surface: ",
-          region_of(conditions[index]) != nullptr
-              ? "its region covers none that an earlier condition left"
-              : "earlier conditions took all of it");
+          region != nullptr ? message("its region", span_of_shape(*region),
+                                      " covers none that an earlier condition left")
+                            : std::string("earlier conditions took all of it"));
 }
 
 std::vector<const char*> modelled_by(std::span<const HeatBoundary> conditions) {
