@@ -38,7 +38,6 @@ std::vector<Vec<Dim>> directions_along(const Vec<Dim>& normal) {
 template <int Dim>
 struct Ends {
   const Grid<Dim>& grid;
-  const CellState<Dim>& state;
   const Boundary<Dim>& boundary;
   double time;
 
@@ -54,10 +53,6 @@ struct Ends {
 
   /// Bodies are known as they were at the start: those at a wall move with it.
   bool is_material(const Vec<Dim>& place, int wall) const {
-    if (boundary.bodies().empty()) {
-      return grid.contains(place) &&
-             state.occupied[grid.cell_index(grid.cell_containing(place))] != 0;
-    }
     const Vec<Dim> at_start = place - boundary.wall(wall).offset(time);
     return distance_to(boundary.bodies(), in_space<Dim>(at_start)) < 0.0;
   }
@@ -80,11 +75,13 @@ struct Ends {
 }  // namespace
 
 template <int Dim>
-std::vector<SupportEnd> support_ends(const Grid<Dim>& grid, const CellState<Dim>& state,
-                                     const Boundary<Dim>& boundary,
+std::vector<SupportEnd> support_ends(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
                                      std::span<const Facet<Dim>> facets, double time) {
   constexpr double same_face = 0.8, farthest = 2.5;  // cosine; cells
-  const Ends<Dim> ends{grid, state, boundary, time};
+  const Ends<Dim> ends{grid, boundary, time};
+  if (boundary.bodies().empty()) {
+    return {};
+  }
   std::vector<Vec<Dim>> inwards, centre;
   for (const Facet<Dim>& facet : facets) {
     const bool can_end = boundary.kinds()[facet.surface] != HeldMotion::tangent;
@@ -121,10 +118,9 @@ std::vector<SupportEnd> support_ends(const Grid<Dim>& grid, const CellState<Dim>
   return all;
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                                   \
-  template std::vector<SupportEnd> support_ends(const Grid<Dim>&, const CellState<Dim>&,           \
-                                                const Boundary<Dim>&, std::span<const Facet<Dim>>, \
-                                                double);
+#define LAPILLI_INSTANTIATE(Dim)                                                        \
+  template std::vector<SupportEnd> support_ends(const Grid<Dim>&, const Boundary<Dim>&, \
+                                                std::span<const Facet<Dim>>, double);
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)
 #undef LAPILLI_INSTANTIATE

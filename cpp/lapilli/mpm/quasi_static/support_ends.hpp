@@ -14,9 +14,9 @@ struct SupportEnd {
   std::size_t next = 0;             // the facet further in
 };
 
+/// Of all walls; none where the shapes of the bodies are not known.
 template <int Dim>
-std::vector<SupportEnd> support_ends(const Grid<Dim>& grid, const CellState<Dim>& state,
-                                     const Boundary<Dim>& boundary,
+std::vector<SupportEnd> support_ends(const Grid<Dim>& grid, const Boundary<Dim>& boundary,
                                      std::span<const Facet<Dim>> facets, double time);
 
 }  // namespace lapilli
