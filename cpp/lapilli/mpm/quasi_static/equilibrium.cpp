@@ -37,6 +37,9 @@ void Equilibrium<Dim>::lay_out() {
   for (const SupportTerm<Dim>& wall : loads_.walls) {
     boxes.push_back(wall.box);
   }
+  for (const JointGap<Dim>& joint : loads_.joint_gaps) {
+    boxes.push_back(joint.box);
+  }
   if (loads_.ghost > 0.0) {
     for (const auto& pairs : loads_.ghost_pairs) {
       boxes.insert(boxes.end(), pairs.begin(), pairs.end());
@@ -105,7 +108,7 @@ SymmetricTensor Equilibrium<Dim>::strain(Index point, const Eigen::VectorXd& u) 
     slope.topLeftCorner<Dim, Dim>() += move * gradient[a].transpose();
     added += mean != nullptr ? move.dot(mean[a] - gradient[a]) : 0.0;
   });
-  slope.diagonal().array() += added / 3.0;
+  slope.diagonal().template head<Dim>().array() += added / Dim;
   return symmetric_part(slope);
 }
 
@@ -130,7 +133,7 @@ void Equilibrium<Dim>::add_internal_force(const Eigen::VectorXd& u, Eigen::Vecto
       const SymmetricTensor stress = solids_.stress_after(p, body_[p], strain(p, u));
       const double held = solids_.largest_stress(p);
       const Mat<Dim> load = volume_[p] * stress.template block<Dim>();
-      const double pressure = volume_[p] * stress.trace() / 3.0;
+      const double pressure = volume_[p] * stress.template block<Dim>().trace() / Dim;
       const Vec<Dim>* gradient = weights_.gradient(p);
       const Vec<Dim>* mean = state_.mean.of_point(p);
       double turned = 0.0;
@@ -179,26 +182,12 @@ void Equilibrium<Dim>::add_walls(const Eigen::VectorXd& held_back, Eigen::Vector
     scatter(wall.box, held - wall.force, internal);
     scatter(wall.box, wall.matrix.cwiseAbs() * local.cwiseAbs() + wall.force.cwiseAbs(), cancelled);
   }
-}
-
-template <int Dim>
-void Equilibrium<Dim>::add_ghosts(const Eigen::VectorXd& held_back, Eigen::VectorXd& internal,
-                                  Eigen::VectorXd& cancelled) const {
-  if (loads_.ghost <= 0.0) {
-    return;
-  }
-  using Columns = Eigen::Matrix<double, Dim, Eigen::Dynamic>;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const Eigen::MatrixXd size = ghost_matrix_[axis].cwiseAbs();
-    for (const CellBox<Dim>& pair : loads_.ghost_pairs[axis]) {
-      const Eigen::VectorXd local = gather(pair, held_back);
-      const Eigen::Map<const Columns> values(local.data(), Dim, pair.node_count());
-      const double stiffness = ghost_stiffness(pair, axis);
-      const Columns resisted = stiffness * values * ghost_matrix_[axis];
-      const Columns parts = stiffness * values.cwiseAbs() * size;
-      scatter(pair, Eigen::Map<const Eigen::VectorXd>(resisted.data(), resisted.size()), internal);
-      scatter(pair, Eigen::Map<const Eigen::VectorXd>(parts.data(), parts.size()), cancelled);
-    }
+  for (const JointGap<Dim>& joint : loads_.joint_gaps) {
+    const Eigen::VectorXd local = gather(joint.box, held_back);
+    const Eigen::VectorXd given = joint.force(local);
+    wall_square += given.squaredNorm();
+    scatter(joint.box, -given, internal);
+    scatter(joint.box, joint.sizes(local), cancelled);
   }
 }
 
@@ -254,6 +243,9 @@ std::vector<Vec<Dim>> Equilibrium<Dim>::support_forces(const Eigen::VectorXd& u,
                held_back.segment<Dim>(Dim * system_.row(node));
     });
     force += wall.given;
+  }
+  for (const JointGap<Dim>& joint : loads_.joint_gaps) {
+    forces[joint.wall] += joint.total(gather(joint.box, held_back));
   }
   return forces;
 }

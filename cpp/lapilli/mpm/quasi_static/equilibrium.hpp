@@ -6,6 +6,7 @@
 
 #include "lapilli/algebra/direct_solver.hpp"
 #include "lapilli/mpm/quasi_static/hydrostatic.hpp"
+#include "lapilli/mpm/quasi_static/joint_gap.hpp"
 #include "lapilli/mpm/quasi_static/newton.hpp"
 #include "lapilli/mpm/quasi_static/solid_state.hpp"
 #include "lapilli/mpm/quasi_static/support_terms.hpp"
@@ -29,9 +30,11 @@ struct Loads {
   std::optional<HydrostaticPressure<Dim>> hydrostatic;
   std::vector<SurfaceForce<Dim>> skin_forces;
   std::vector<SupportTerm<Dim>> walls;
+  std::vector<JointGap<Dim>> joint_gaps;
   std::vector<SurfaceForce<Dim>> surface_forces;
   std::array<std::vector<CellBox<Dim>>, Dim> ghost_pairs;
   double ghost = 0.0;
+  std::vector<double> stiffness_left;  // by cell, of the elastic one that ghosts have; empty: all
   /// Displacement of the unknowns since the grid was reset, m; empty: none. Walls and ghosts resist
   /// all of it, the material only what is added: its stress already holds the rest.
   Eigen::VectorXd since_reset;

@@ -35,7 +35,7 @@ template <int Dim>
 Tangent<Dim> tangent_of(const LinearElastic& material, bool deviator) {
   Stiffness full = stiffness_of(material);
   if (deviator) {
-    full.topLeftCorner<3, 3>().setConstant(-2.0 / 3.0 * material.shear_modulus());
+    full.topLeftCorner<3, 3>().setConstant(-2.0 / Dim * material.shear_modulus());
     full.diagonal().head<3>().array() += 2.0 * material.shear_modulus();
   }
   if constexpr (Dim == 2) {
@@ -61,7 +61,7 @@ Vec<Dim> zero() {
 }
 
 /// Engineering strains xx, yy, zz, xy, yz, xz of a node's displacement, with a dilatation that is
-/// `added` to that of the gradient, a third along each axis.
+/// `added` to that of the gradient, evenly along the axes of the scene.
 template <int Dim>
 FullStrainRows<Dim> full_strain_rows(const Vec<Dim>& g, const Vec<Dim>& added) {
   FullStrainRows<Dim> rows = FullStrainRows<Dim>::Zero();
@@ -76,7 +76,7 @@ FullStrainRows<Dim> full_strain_rows(const Vec<Dim>& g, const Vec<Dim>& added) {
     rows(5, 0) = g[2];
     rows(5, 2) = g[0];
   }
-  rows.template topRows<3>().rowwise() += (added / 3.0).transpose();
+  rows.template topRows<Dim>().rowwise() += (added / Dim).transpose();
   return rows;
 }
 
@@ -139,8 +139,10 @@ void Equilibrium<Dim>::assemble_points() {
     const Vec<Dim>* mean = state_.mean.of_point(p);
     const Tangent<Dim> tangent =
         volume_[p] * (mean != nullptr ? deviators[body_[p]] : whole[body_[p]]);
+    const LinearElastic& material = solids_.elastic(body_[p]);
     const double bulk =
-        mean != nullptr ? volume_[p] * solids_.elastic(body_[p]).bulk_modulus() : 0.0;
+        mean != nullptr ? volume_[p] * (material.lambda() + 2.0 / Dim * material.shear_modulus())
+                        : 0.0;
     for (int b = 0; b < nodes; ++b) {
       const StrainRows<Dim> stress_b = tangent * strain_rows<Dim>(gradient[b]);
       for (int a = 0; a <= b; ++a) {
@@ -155,7 +157,6 @@ void Equilibrium<Dim>::assemble_points() {
   weights_.for_each_group([&](const auto& group) { assemble_group(group, add_point); });
 }
 
-/// All six components: the mean dilatation strains across the plane as well.
 template <int Dim>
 void Equilibrium<Dim>::assemble_yielding(const Eigen::VectorXd& u, double elastic_share) {
   const auto add_point = [&](Index p, int nodes, auto& matrix) {
@@ -210,6 +211,11 @@ void Equilibrium<Dim>::assemble_surfaces() {
     system_.rows(grid_, wall.box, rows.data());
     system_.add(rows.data(), static_cast<int>(rows.size()), wall.matrix.data());
   }
+  for (const JointGap<Dim>& joint : loads_.joint_gaps) {
+    rows.resize(joint.box.node_count());
+    system_.rows(grid_, joint.box, rows.data());
+    system_.add(rows.data(), static_cast<int>(rows.size()), joint.matrix().eval().data());
+  }
   if (loads_.ghost <= 0.0) {
     return;
   }
@@ -235,12 +241,6 @@ void Equilibrium<Dim>::assemble_surfaces() {
 }
 
 template <int Dim>
-double Equilibrium<Dim>::ghost_stiffness(const CellBox<Dim>& pair, int axis) const {
-  const Index cell = grid_.cell_index(pair.first);
-  return loads_.ghost * 0.5 * (state_.youngs[cell] + state_.youngs[cell + grid_.cell_stride(axis)]);
-}
-
-template <int Dim>
 bool Equilibrium<Dim>::yields_at(const Eigen::VectorXd& u) const {
   return solids_.can_yield() && parallel_sum(volume_.size(), Index{0}, [&](Index p) -> Index {
                                   return solids_.yields_after(p, body_[p], strain(p, u)) ? 1 : 0;
@@ -252,8 +252,7 @@ bool Equilibrium<Dim>::yields_at(const Eigen::VectorXd& u) const {
   template PivotReport Equilibrium<Dim>::factorise_at(const Eigen::VectorXd&, double); \
   template bool Equilibrium<Dim>::yields_at(const Eigen::VectorXd&) const;             \
   template void Equilibrium<Dim>::assemble_points();                                   \
-  template void Equilibrium<Dim>::assemble_surfaces();                                 \
-  template double Equilibrium<Dim>::ghost_stiffness(const CellBox<Dim>& pair, int axis) const;
+  template void Equilibrium<Dim>::assemble_surfaces();
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)
 #undef LAPILLI_INSTANTIATE

@@ -33,13 +33,13 @@ typename QuasiStatic<Dim>::Report QuasiStatic<Dim>::try_step(
   loads.carried = reference_.imbalance;
   Equilibrium<Dim> equilibrium = equilibrium_under(loads);
   require_loads_arrive(equilibrium);
-  Eigen::VectorXd u = solve(equilibrium, report);
+  Eigen::VectorXd u = solve_flowing(equilibrium, loads, report);
   std::vector<Vec<Dim>> moves = moves_of(equilibrium, u);
   double carried = 0.0;
   if (loads.carried.size() > 0) {
     carried = std::max(0.0, 1.0 - reference_.farthest(points_, moves) / relaxation_);
     loads.carried *= carried;
-    u = solve(equilibrium, report);
+    u = solve_flowing(equilibrium, loads, report);
     moves = moves_of(equilibrium, u);
   }
   report.penetration =
@@ -69,6 +69,31 @@ template <int Dim>
 Equilibrium<Dim> QuasiStatic<Dim>::equilibrium_under(const Loads<Dim>& loads) {
   return Equilibrium<Dim>(grid_, std::as_const(reference_.volume).values(), points_.body(),
                           reference_.weights, *reference_.state, solids_, loads, system_, solver_);
+}
+
+/// With ghosts as soft as the step leaves what it lets flow.
+template <int Dim>
+Eigen::VectorXd QuasiStatic<Dim>::solve_flowing(Equilibrium<Dim>& equilibrium, Loads<Dim>& loads,
+                                                Report& report) {
+  constexpr int most_repeats = 4;
+  constexpr double noticed = 0.5;
+  for (int k = 0;; ++k) {
+    Eigen::VectorXd u = solve(equilibrium, report);
+    if (loads.stiffness_left.empty() || k == most_repeats) {
+      return u;
+    }
+    std::vector<double> left =
+        stiffness_left_after([&](Index p) { return equilibrium.strain(p, u); });
+    bool softer = false;
+    for (std::size_t cell = 0; cell < left.size(); ++cell) {
+      softer = softer || left[cell] < noticed * loads.stiffness_left[cell];
+    }
+    if (!softer) {
+      return u;
+    }
+    loads.stiffness_left = std::move(left);
+    reference_.factorised = false;
+  }
 }
 
 /// Newton's method from no displacement at all.

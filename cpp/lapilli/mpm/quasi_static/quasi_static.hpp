@@ -13,6 +13,7 @@
 #include "lapilli/mpm/quasi_static/load_steps.hpp"
 #include "lapilli/mpm/quasi_static/reference.hpp"
 #include "lapilli/mpm/quasi_static/settings.hpp"
+#include "lapilli/mpm/quasi_static/stiffness_left.hpp"
 #include "lapilli/mpm/transfer/shape_function.hpp"
 
 namespace lapilli {
@@ -71,6 +72,11 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   bool is_reset_due() const;
   void reset_grid(double time);
   Loads<Dim> collect_loads(double to) const;
+  /// Of walls, softly; `motions` of each facet.
+  void hold_ends(const std::vector<std::vector<Vec<Dim>>>& motions, Loads<Dim>& loads) const;
+  /// By cell; empty where nothing yields.
+  std::vector<double> stiffness_left_after(
+      const std::function<SymmetricTensor(Index)>& increment) const;
   /// Of places whose material has these densities (kg/m^3), N/m^3.
   std::vector<Vec<Dim>> weight_at(const std::vector<Vec3>& places,
                                   const std::vector<double>& densities, double time) const;
@@ -90,6 +96,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   double size_of_moves() const;  // m, root mean square of the displacements
   void choose_stiffness(bool moved_far);
   Eigen::VectorXd solve(Equilibrium<Dim>& equilibrium, Report& report);
+  Eigen::VectorXd solve_flowing(Equilibrium<Dim>& equilibrium, Loads<Dim>& loads, Report& report);
   void follow_tangent(Equilibrium<Dim>& equilibrium, const Eigen::VectorXd& u,
                       double& elastic_share, Report& report);
   std::vector<Vec<Dim>> moves_of(const Equilibrium<Dim>& equilibrium,

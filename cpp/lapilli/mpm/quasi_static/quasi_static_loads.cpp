@@ -19,11 +19,13 @@ Loads<Dim> QuasiStatic<Dim>::collect_loads(double to) const {
                                             boundary_.kinds()[facet.surface], motions.back(),
                                             reference_.scheme));
   }
+  hold_ends(motions, loads);
   require_agreeing<Dim>(grid_, reference_.facets, motions, boundary_.kinds(), boundary_.names());
   require_held<Dim>(grid_, points_, reference_.weights, reference_.facets, boundary_.kinds());
   loads.ghost = ghost_;
   if (ghost_ > 0.0) {
     loads.ghost_pairs = ghost_pairs<Dim>(grid_, *reference_.state, reference_.facets);
+    loads.stiffness_left = stiffness_left_after([](Index) { return SymmetricTensor{}; });
   }
   if (settings_.has_weight()) {
     std::vector<Vec3> places(points_.size(), Vec3::Zero());
@@ -43,6 +45,40 @@ Loads<Dim> QuasiStatic<Dim>::collect_loads(double to) const {
   }
   loads.surface_forces = boundary_.surface_forces(reference_.loaded, to);
   return loads;
+}
+
+template <int Dim>
+void QuasiStatic<Dim>::hold_ends(const std::vector<std::vector<Vec<Dim>>>& motions,
+                                 Loads<Dim>& loads) const {
+  const CellState<Dim>& state = *reference_.state;
+  for (const SupportEnd& end : reference_.ends) {
+    const HeldMotion kind = boundary_.kinds()[reference_.facets[end.next].surface];
+    if (solids_.can_yield()) {
+      std::vector<std::size_t> together(end.facets);
+      together.push_back(end.next);
+      loads.joint_gaps.push_back(joint_gap<Dim>(grid_, state, reference_.facets, together, kind,
+                                                motions, reference_.scheme));
+      for (const std::size_t f : together) {
+        loads.walls[f].let_go();
+      }
+      continue;
+    }
+    for (const std::size_t f : end.facets) {
+      const Facet<Dim>& facet = reference_.facets[f];
+      const bool averaged = state.mean.of_cell(grid_.cell_index(facet.cell)) != nullptr;
+      loads.walls[f] = support_term<Dim>(grid_, state, facet, kind, motions[f],
+                                         reference_.scheme.at_end(averaged));
+    }
+  }
+}
+
+template <int Dim>
+std::vector<double> QuasiStatic<Dim>::stiffness_left_after(
+    const std::function<SymmetricTensor(Index)>& increment) const {
+  return solids_.can_yield()
+             ? stiffness_left(grid_, reference_.weights, std::as_const(reference_.volume).values(),
+                              points_.body(), solids_, increment)
+             : std::vector<double>();
 }
 
 template <int Dim>
@@ -198,6 +234,8 @@ void QuasiStatic<Dim>::require_loads_arrive(const Equilibrium<Dim>& equilibrium)
 
 #define LAPILLI_INSTANTIATE(Dim)                                                      \
   template Loads<Dim> QuasiStatic<Dim>::collect_loads(double) const;                  \
+  template std::vector<double> QuasiStatic<Dim>::stiffness_left_after(                \
+      const std::function<SymmetricTensor(Index)>&) const;                            \
   template void QuasiStatic<Dim>::split_body_force(Loads<Dim>&) const;                \
   template double QuasiStatic<Dim>::cell_mean_share(const Facet<Dim>&, Index&) const; \
   template void QuasiStatic<Dim>::add_hydrostatic(double, Loads<Dim>&) const;         \

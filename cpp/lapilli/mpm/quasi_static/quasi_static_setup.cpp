@@ -84,6 +84,9 @@ void QuasiStatic<Dim>::choose_stiffness(bool moved_far) {
   if (solids_.can_yield()) {
     scheme_.consistency = 0.0;  // the traction of elastic moduli is not that of what yields
   }
+  // Bandwidths that are asked for hold the ends of walls as all of them.
+  reference_.softens_ends = settings_.enforcement == Enforcement::mean_gap &&
+                            !settings_.bandwidth && !settings_.gap_bandwidth;
 }
 
 template <int Dim>

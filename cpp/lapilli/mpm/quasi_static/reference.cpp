@@ -56,6 +56,7 @@ void Reference<Dim>::locate(const Grid<Dim>& grid, const Points& points,
   state = std::make_unique<CellState<Dim>>(grid, volumes, points.body(), weights, materials);
   state->mean.build(grid, places, widths, volumes, points.body(), averaged, weights);
   facets = boundary.cut_walls(grid, *state, time);
+  ends = softens_ends ? support_ends<Dim>(grid, boundary, facets, time) : std::vector<SupportEnd>();
   if (loaded.empty()) {
     loaded = boundary.cut_tractions(grid, *state);
   }

@@ -8,6 +8,7 @@
 #include "lapilli/mpm/quasi_static/boundary.hpp"
 #include "lapilli/mpm/quasi_static/cell_state.hpp"
 #include "lapilli/mpm/quasi_static/hydrostatic.hpp"
+#include "lapilli/mpm/quasi_static/support_ends.hpp"
 #include "lapilli/mpm/quasi_static/support_terms.hpp"
 
 namespace lapilli {
@@ -42,7 +43,9 @@ struct Reference {
   std::unique_ptr<PointArray> half_width;  // m, rows x Dim, of GIMP
   PointWeights<Dim> weights;
   std::unique_ptr<CellState<Dim>> state;
-  std::vector<Facet<Dim>> facets;          // of the walls
+  std::vector<Facet<Dim>> facets;  // of the walls
+  bool softens_ends = false;       // of walls: whether to look for them
+  std::vector<SupportEnd> ends;
   std::vector<LoadedSurface<Dim>> loaded;  // by traction
   std::optional<LoadedSurface<Dim>> skin;  // of nearly incompressible bodies under a body force
   SupportScheme scheme;                    // tightened when the matrix was not positive definite

@@ -95,6 +95,21 @@ Stiffness SolidState::tangent_after(Index point, Index body, const SymmetricTens
   return elastic_share * elastic + (1.0 - elastic_share) * 0.5 * (tangent + tangent.transpose());
 }
 
+double SolidState::stiffness_left(Index point, Index body, const SymmetricTensor& strain) const {
+  constexpr double least = 1e-3;  // of what slivers need to be held
+  if (!yields(laws_[body])) {
+    return 1.0;
+  }
+  const Mat3 stress = stress_after(point, body, strain).matrix();
+  const LinearElastic& material = elastic_[body];
+  const double nu = material.poissons_ratio;
+  const Mat3 elastic =
+      ((1.0 + nu) * stress - nu * stress.trace() * Mat3::Identity()) / material.youngs_modulus;
+  const Mat3 whole = tensor_at(strain_->data() + 6 * point).matrix() + strain.matrix();
+  const double size = whole.norm();
+  return size > 0.0 ? std::clamp(elastic.norm() / size, least, 1.0) : 1.0;
+}
+
 void SolidState::strain(Index point, Index body, const SymmetricTensor& strain) {
   auto state = states_.read(body, point);
   const SymmetricTensor reached =

@@ -37,6 +37,8 @@ class SolidState {
   /// The symmetric part of the consistent tangent, mixed with a share of the elastic stiffness.
   Stiffness tangent_after(Index point, Index body, const SymmetricTensor& strain,
                           double elastic_share) const;
+  /// Elastic strain over all strain since the start, where the law yields.
+  double stiffness_left(Index point, Index body, const SymmetricTensor& strain) const;
   /// Take the increment.
   void strain(Index point, Index body, const SymmetricTensor& strain);
 

@@ -18,7 +18,12 @@ SupportScheme SupportScheme::of(Enforcement form, double bandwidth, double gap_b
     case Enforcement::mean_gap:
       break;
   }
-  return {stiff, moderate, 1.0};
+  return {stiff, moderate, 1.0, true};
+}
+
+SupportScheme SupportScheme::at_end(bool averaged) const {
+  constexpr double firmer = 3.0;  // 2 is the best for drawn domes, and near to letting go
+  return {0.0, firmer * pointwise, averaged ? 0.0 : consistency, spares_volume};
 }
 
 template <int Dim>
@@ -107,7 +112,7 @@ class FacetSums {
     // its volume is: where mean gaps carry that part, points do so as at a Poisson ratio of 0.4.
     const double constrained = lame_ + 2.0 * shear_;
     const double across_point =
-        scheme_.stiff > 0.0 ? std::min(constrained, 6.0 * shear_) : constrained;
+        scheme_.spares_volume ? std::min(constrained, 6.0 * shear_) : constrained;
     const Constraint<Dim> hold(kind_, point.normal, constrained, across_point, shear_);
     double value[nodes];
     Vec<Dim> gradient[nodes];
@@ -156,7 +161,7 @@ class FacetSums {
       const Vec<Dim>& g = gradient[a];
       const Vec<Dim> dilatation = mean_gradient_ ? mean_gradient_[a] : g;
       const Mat<Dim> stress_on_wall =
-          n * (lame_ * dilatation + 2.0 / 3.0 * shear_ * (dilatation - g)).transpose() +
+          n * (lame_ * dilatation + 2.0 / Dim * shear_ * (dilatation - g)).transpose() +
           shear_ * g * n.transpose() + shear_ * g.dot(n) * Mat<Dim>::Identity();
       traction.template middleCols<Dim>(a * Dim) = projector * stress_on_wall;
     }
@@ -204,6 +209,14 @@ SupportTerm<Dim> support_term(const Grid<Dim>& grid, const CellState<Dim>& state
     sums.add(facet.points[q], motion[q]);
   }
   return sums.term();
+}
+
+template <int Dim>
+void SupportTerm<Dim>::let_go() {
+  matrix.setZero();
+  force.setZero();
+  reaction.setZero();
+  given.setZero();
 }
 
 template <int Dim>

@@ -10,12 +10,16 @@ namespace lapilli {
 
 /// The numbers of a wall form: stiffness of the constraint and share of the consistency term.
 struct SupportScheme {
-  double stiff = 0.0;        // 4/(3 bandwidth), on the mean over a facet; 0: none
-  double pointwise = 0.0;    // 4/(3 bandwidth), at every point
-  double consistency = 1.0;  // of the wall's traction; 1 passes the patch test for any bandwidth
+  double stiff = 0.0;          // 4/(3 bandwidth), on the mean over a facet; 0: none
+  double pointwise = 0.0;      // 4/(3 bandwidth), at every point
+  double consistency = 1.0;    // of the wall's traction; 1 passes the patch test for any bandwidth
+  bool spares_volume = false;  // points are held across no stiffer than at a Poisson ratio of 0.4
 
   /// Bandwidths in cells (Cortis et al. Eq. 29 for a band that shrinks to the wall).
   static SupportScheme of(Enforcement form, double bandwidth, double gap_bandwidth);
+  /// Where a wall ends beside free material: at points alone. `averaged`: where the dilatation is
+  /// that of the cell, whose traction would need the mean gap.
+  SupportScheme at_end(bool averaged) const;
 };
 
 /// What one facet of a wall adds to the equilibrium of the nodes of its cell,
@@ -33,6 +37,8 @@ struct SupportTerm {
   Eigen::Matrix<double, Dim, nodes * Dim> reaction;
   Vec<Dim> given;
 
+  /// Hold nothing any more.
+  void let_go();
   /// Add a known force to what the nodes get at a point of the facet, N.
   void push(const Grid<Dim>& grid, const SurfacePoint<Dim>& point, const Vec<Dim>& by);
 };
