@@ -67,10 +67,12 @@ set(kernels
     mpm/heat/touching_surface.cpp
     mpm/quasi_static/boundary.cpp
     mpm/quasi_static/equilibrium.cpp
+    mpm/quasi_static/equilibrium_ghosts.cpp
     mpm/quasi_static/equilibrium_tangent.cpp
     mpm/quasi_static/mean_dilatation.cpp
     mpm/quasi_static/moving_surface.cpp
     mpm/quasi_static/solid_state.cpp
+    mpm/quasi_static/stiffness_left.cpp
     mpm/quasi_static/support_terms.cpp
     mpm/surface/corner_faces.cpp
     mpm/surface/corner_fit.cpp
