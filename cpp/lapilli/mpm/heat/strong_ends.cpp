@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lapilli/core/note_kinds.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
 
 namespace lapilli {
