@@ -4848,6 +4848,10 @@ class Simulation:
         """
         Of each body the volume of its points now and that of its shape, None where it has none; area, length in fewer dimensions.
         """
+    def warnings(self) -> list[lapilli.note.Note]:
+        """
+        What each physics says of its present state that is not wrong but not right either.
+        """
     @property
     def dimension(self) -> int:
         """
