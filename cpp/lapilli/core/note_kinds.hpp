@@ -139,6 +139,8 @@ inline constexpr NoteKind note_kinds[] = {
      "Look at the temperatures and `thermal_expansion`; are some in degrees Celsius?"},
     {"peridynamics.coarse", "The points are too few for the layers of the flow.",
      "The cell that the note names."},
+    {"peridynamics.coarse-velocity", "The points are too few for a flow without heat.",
+     "The cell that the note names."},
 
     {"run.fails-soon", "The first steps, which `check` takes, fail.", "What the message says."},
     {"run.index-rebuilt", "The index of the frames was lost and is made anew.", "Nothing."},

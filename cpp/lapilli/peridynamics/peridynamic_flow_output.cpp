@@ -75,7 +75,7 @@ std::vector<Note> PeridynamicFlow<Dim>::warnings() const {
     if (off <= coarse_velocity) {
       return {};
     }
-    return {note("peridynamics.coarse",
+    return {note("peridynamics.coarse-velocity",
                  "the points are too few for this flow: neighbours do not share ",
                  std::round(100.0 * noise), " % of the velocity, which may be off by about ",
                  std::round(100.0 * off), " %; take cells of ",

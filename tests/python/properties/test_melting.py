@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
-from heat_bars import Bar, solved
 from scipy.optimize import brentq
 from scipy.special import erf, erfc
 
 import lapilli as lp
 from lapilli import _core
+
+sys.path.insert(0, str(Path(__file__).parent))
+from heat_bars import Bar, solved
+
+sys.path.pop(0)
 
 
 def melted(

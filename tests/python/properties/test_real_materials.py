@@ -3,11 +3,18 @@ fit the grid, against closed forms."""
 
 from __future__ import annotations
 
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
-from heat_bars import Bar, solved
 
 import lapilli as lp
+
+sys.path.insert(0, str(Path(__file__).parent))
+from heat_bars import Bar, solved
+
+sys.path.pop(0)
 
 
 def kirchhoff_error(cells: int, degrees: float) -> float:
