@@ -84,6 +84,8 @@ inline constexpr NoteKind note_kinds[] = {
      "`grid.shape_function = \"gimp\"`."},
     {"dynamics.no-affine-part", "With linear functions the default transfer lets spin fade.",
      "`grid.shape_function = \"gimp\"`."},
+    {"dynamics.few-cells", "A body is fewer than eight cells across.",
+     "Smaller cells; or compare with them to see what this costs."},
     {"dynamics.few-points", "A body has fewer points per cell than the default transfer needs.",
      "Four points per cell in the plane, eight in space."},
     {"dynamics.obstacle-center", "An obstacle turns about the origin of the grid.",

@@ -20,6 +20,7 @@
 #include "lapilli/scene/check_model.hpp"
 #include "lapilli/scene/check_stages.hpp"
 #include "lapilli/scene/check_steps.hpp"
+#include "lapilli/scene/few_cells.hpp"
 #include "lapilli/scene/memory.hpp"
 #include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/run_scene.hpp"
@@ -52,6 +53,7 @@ void describe_bodies(const Scene& scene, const Simulation& simulation, CheckRepo
   }
   report.notes = volume_warnings(volumes, points.dimension());
   std::ranges::copy(packing_warnings(scene, points), std::back_inserter(report.notes));
+  std::ranges::copy(few_cells(scene, points), std::back_inserter(report.notes));
   if (scene.peridynamics) {
     for (const FluidWallBody& wall : scene.peridynamics->walls) {
       report.bodies.push_back({message("wall ", wall.name), 0, 0.0, 0.0, {}});

@@ -8,6 +8,7 @@
 #include "lapilli/scene/audit.hpp"
 #include "lapilli/scene/body_points.hpp"
 #include "lapilli/scene/body_volumes.hpp"
+#include "lapilli/scene/few_cells.hpp"
 #include "lapilli/scene/identity.hpp"
 #include "lapilli/scene/resolve_files.hpp"
 #include "lapilli/scene/scene_file.hpp"
@@ -135,6 +136,7 @@ RunOptions run_options(const Scene& scene, const Points& points) {
   std::ranges::copy(volume_warnings(options.volumes, points.dimension()),
                     std::back_inserter(options.notes));
   std::ranges::copy(packing_warnings(scene, points), std::back_inserter(options.notes));
+  std::ranges::copy(few_cells(scene, points), std::back_inserter(options.notes));
   return options;
 }
 

@@ -1,0 +1,65 @@
+"""A body so few cells across that its place on the grid tells in its motion says so."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lapilli as lp
+from lapilli import _core
+
+
+def falling(cells: float, degrees: float, dimension: int = 2) -> lp.Scene:
+    """A bar this many cells thick, turned and off the lattice."""
+    cell = 0.02
+    half = cells * cell / 2
+    length = 3 * half if dimension == 2 else 2 * half
+    box = lp.Box(
+        lower=(-length, *(-half,) * (dimension - 1)), upper=(length, *(half,) * (dimension - 1))
+    )
+    shape = lp.Translated(
+        shape=lp.Rotated(shape=box, degrees=degrees, center=(0,) * dimension),
+        by=(0.37 * cell, 0.21 * cell, 0.11 * cell)[:dimension],
+    )
+    reach = cell * np.ceil(1.6 * length / cell + 3)
+    return lp.Scene(
+        grid=lp.Grid(lower=(-reach,) * dimension, upper=(reach,) * dimension, cell=cell),
+        bodies=[
+            lp.Body(
+                name="bar",
+                shape=shape,
+                points_per_cell=4 if dimension == 2 else 1,
+                material=lp.Elastic(density=1000, youngs_modulus=1e6, poissons_ratio=0.3),
+            )
+        ],
+        dynamics=lp.Dynamics(gravity=(0, -9.81, 0)[:dimension]),
+        time=lp.Time(end=1e-4),
+    )
+
+
+def said(scene: lp.Scene) -> list[str]:
+    report = json.loads(_core.check_json(scene))
+    return [
+        note
+        for note, code in zip(report["notes"], report["note_codes"], strict=True)
+        if code == "dynamics.few-cells"
+    ]
+
+
+@pytest.mark.parametrize("degrees", [0.0, 31.0])
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_a_thin_body_says_how_thin_it_is(degrees: float, dimension: int) -> None:
+    (note,) = said(falling(5.0, degrees, dimension))
+    assert note.startswith("bar is ")
+    assert float(note.split()[2]) == pytest.approx(5.0, abs=0.15)
+    assert float(note.split("grid.cell = ")[1].split()[0]) == pytest.approx(0.02 * 5 / 8, rel=0.03)
+    assert said(falling(9.0, degrees, dimension)) == []
+
+
+def test_the_record_says_it_too(tmp_path: Path) -> None:
+    result = lp.run(falling(5.0, 31.0), tmp_path / "bar.vtkhdf", progress=False)
+    assert [one.code for one in result.summary.notes].count("dynamics.few-cells") == 1
+    assert result.record["notes"] == [str(one) for one in result.summary.notes]
