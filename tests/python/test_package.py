@@ -2,6 +2,7 @@
 
 import json
 import platform
+import re
 import resource
 import shutil
 import subprocess
@@ -89,7 +90,7 @@ def test_the_wheel_holds_what_it_needs_and_no_more(wheel: Path) -> None:
         "lapilli/liblapilli_kernels.so",
     ]
     # HDF5 and libpng are in the library, so that next to nothing is put beside it
-    libraries = [name for name in names if name.startswith("lapilli.libs/")]
+    libraries = [name for name in names if re.fullmatch("lapilli.libs/.+", name)]
     assert all("libgomp" in name for name in libraries), libraries
 
 
@@ -111,7 +112,7 @@ def test_only_kernels_hand_over_vectors(wheel: Path, tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.xfail(
-    reason="7.1 MB: 1.6 of kernels for AVX2, 1.0 for any processor, 3.2 of the rest with HDF5"
+    reason="7.4 MB: 1.8 of kernels for AVX2, 1.1 for any processor, 3.4 of the rest with HDF5"
 )
 def test_the_wheel_is_small(wheel: Path) -> None:
     assert wheel.stat().st_size < 6e6
