@@ -28,8 +28,8 @@ class Note(str):
 
     @property
     def line(self) -> str:
-        """The words with the code behind them."""
-        return f"{self} [{self.code}]"
+        """The words with the code behind them, where there is one."""
+        return f"{self} [{self.code}]" if self.code else str(self)
 
 
 def note(code: str, text: str) -> Note:

@@ -41,9 +41,13 @@ int PairEntries::own(std::size_t a, std::size_t b) const {
   return entry_[std::min(a, b) * count_ + std::max(a, b)];
 }
 
+std::string name_or_number(const std::string& name, std::size_t number) {
+  return name.empty() ? message("body ", number) : name;
+}
+
 std::vector<std::string> names_or_numbers(std::vector<std::string> names) {
   for (std::size_t k = 0; k < names.size(); ++k) {
-    names[k] = names[k].empty() ? message("body ", k) : names[k];
+    names[k] = name_or_number(names[k], k);
   }
   return names;
 }

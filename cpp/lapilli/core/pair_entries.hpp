@@ -25,7 +25,8 @@ class PairEntries {
   int other_ = -1;
 };
 
-/// Names of bodies, "body 2" for one without.
+/// The name of a body, "body 2" for one without.
+std::string name_or_number(const std::string& name, std::size_t number);
 std::vector<std::string> names_or_numbers(std::vector<std::string> names);
 
 }  // namespace lapilli

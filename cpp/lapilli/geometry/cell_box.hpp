@@ -23,6 +23,17 @@ struct CellBox {
     }
     return count;
   }
+
+  /// Which of the box's nodes a corner of one of its cells is: bit `axis` of the corner is set on
+  /// the upper side.
+  int node(const std::array<int, Dim>& cell, int corner) const {
+    int number = 0, stride = 1;
+    for (int axis = 0; axis < Dim; ++axis) {
+      number += stride * (cell[axis] - first[axis] + ((corner >> axis) & 1));
+      stride *= cells[axis] + 1;
+    }
+    return number;
+  }
 };
 
 /// Call body(k, node) for node k of the box, first axis fastest.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lapilli/core/note_kinds.hpp"
+#include "lapilli/core/pair_entries.hpp"
 #include "lapilli/core/points.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/shape_volume.hpp"
@@ -25,8 +26,7 @@ double volume_of_shape(const Scene& scene, const Body& body) {
 std::vector<BodyVolume> volumes_of_points(const Scene& scene, const Points& points) {
   std::vector<BodyVolume> all;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    const std::string& name = scene.bodies[k].name;
-    all.push_back({name.empty() ? message("body ", k) : name, 0, 0.0, {}});
+    all.push_back({name_or_number(scene.bodies[k].name, k), 0, 0.0, {}});
   }
   for (Index row = 0; row < points.size(); ++row) {
     const auto body = static_cast<std::size_t>(points.body()[static_cast<std::size_t>(row)]);
@@ -113,9 +113,9 @@ std::vector<Note> packing_warnings(const Scene& scene, const Points& points) {
     }
     const PointBox box = box_of(points, static_cast<Index>(k));
     if (box.volume > most_packed * box.room(dimension)) {
-      all.push_back(note("bodies.packed-points", "the points of ",
-                         body.name.empty() ? message("body ", k) : body.name, " hold ", box.volume,
-                         " m^", dimension, ", the box around them ", box.room(dimension),
+      all.push_back(note("bodies.packed-points", "the points of ", name_or_number(body.name, k),
+                         " hold ", box.volume, " m^", dimension, ", the box around them ",
+                         box.room(dimension),
                          ": their volumes overlap; are they in another unit?"));
     }
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lapilli/core/note_kinds.hpp"
+#include "lapilli/core/pair_entries.hpp"
 #include "lapilli/core/points.hpp"
 
 namespace lapilli {
@@ -55,8 +56,7 @@ std::vector<Note> few_cells_of(const Scene& scene, const Points& points) {
     if (all[k].points == 0 || thickness > (enough - 0.1) * scene.grid.cell) {
       continue;
     }
-    const std::string& name = scene.bodies[k].name;
-    notes.push_back(note("dynamics.few-cells", name.empty() ? message("body ", k) : name, " is ",
+    notes.push_back(note("dynamics.few-cells", name_or_number(scene.bodies[k].name, k), " is ",
                          0.1 * std::round(10.0 * thickness / scene.grid.cell),
                          " cells across: its place and angle on the grid may change its motion "
                          "by some percent; compare with grid.cell = ",

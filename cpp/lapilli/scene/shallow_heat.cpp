@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
@@ -29,14 +28,12 @@ Strongest strongest_on(const Scene& scene, const Body& body, double conductivity
   const double zero = absolute_zero(*scene.heat);
   for (std::size_t law = 0; law < scene.heat->boundaries.size(); ++law) {
     const HeatBoundary& one = scene.heat->boundaries[law];
-    if (surroundings_of(one) == nullptr || (scene.bodies.size() > 1 && region_of(one) != nullptr)) {
+    if (scene.bodies.size() > 1 && region_of(one) != nullptr) {
       continue;
     }
     const double start = body.temperature.is_function() ? 0.0 : body.temperature.largest() - zero;
     const double strength =
-        holds_temperature(one)
-            ? std::numeric_limits<double>::infinity()
-            : largest_coefficient(one, std::max(start, 0.0), zero) * scene.grid.cell / conductivity;
+        largest_coefficient(one, std::max(start, 0.0), zero) * scene.grid.cell / conductivity;
     const bool known = holds_temperature(one) || std::isfinite(strength);
     if (known && strength > found.strength) {
       found = {law, strength};

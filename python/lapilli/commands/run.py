@@ -50,7 +50,7 @@ def command(
 
 def as_json(result: Result, output: Path) -> dict[str, Any]:
     """What a run did: its balances and last values, and where the rest lies."""
-    summary, simulation = result.summary, result.simulation
+    summary, simulation, warnings = result.summary, result.simulation, result.warnings
     return {
         "finished": summary.finished,
         "time": result.time,
@@ -74,8 +74,8 @@ def as_json(result: Result, output: Path) -> dict[str, Any]:
         },
         "notes": summary.notes,
         "note_codes": [one.code for one in summary.notes],
-        "warnings": result.warnings,
-        "warning_codes": [one.code for one in result.warnings],
+        "warnings": warnings,
+        "warning_codes": [one.code for one in warnings],
         "output": str(output),
         "record": str(output.with_suffix(".json")),
     }

@@ -34,8 +34,7 @@ def warnings_of(record: Record) -> str:
     ]
     said += [("note", one) for one in notes_in(record, "notes", "note_codes")]
     items = "".join(
-        f'<li class="{kind}">{kind}: {html.escape(one.line if one.code else one)}</li>'
-        for kind, one in said
+        f'<li class="{kind}">{kind}: {html.escape(one.line)}</li>' for kind, one in said
     )
     return f"<ul>{items}</ul>" if items else ""
 

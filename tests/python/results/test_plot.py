@@ -104,7 +104,8 @@ def test_runs_beside_each_other_share_their_colours(heated: lp.Result, tmp_path:
     assert (tmp_path / "two.png").read_bytes().startswith(b"\x89PNG")
 
 
-def test_a_cut_shows_the_layer_of_points_it_goes_through(tmp_path: Path) -> None:
+def slab_in_space(folder: Path) -> lp.Frames:
+    """A slab half as high as wide, warmer along x."""
     scene = lp.Scene(
         grid=lp.Grid(lower=(0, 0, 0), upper=(1, 1, 1), cell=0.25),
         bodies=[
@@ -117,7 +118,11 @@ def test_a_cut_shows_the_layer_of_points_it_goes_through(tmp_path: Path) -> None
         heat=lp.Heat(),
         time=lp.Time(end=0.001),
     )
-    frame = lp.run(scene, tmp_path / "box.vtkhdf", progress=False).frames[0]
+    return lp.run(scene, folder / "box.vtkhdf", progress=False).frames
+
+
+def test_a_cut_shows_the_layer_of_points_it_goes_through(tmp_path: Path) -> None:
+    frame = slab_in_space(tmp_path)[0]
     cut = view_of(frame, "temperature", Style(cut="x=0.3"))
     assert cut.axes == (1, 2)
     assert set(np.round(frame.position[cut.rows, 0], 9)) == {0.3125}
@@ -131,18 +136,7 @@ def test_a_cut_shows_the_layer_of_points_it_goes_through(tmp_path: Path) -> None
 
 
 def test_pictures_of_bodies_in_space_say_where_they_are_cut(tmp_path: Path) -> None:
-    scene = lp.Scene(
-        grid=lp.Grid(lower=(0, 0, 0), upper=(1, 1, 1), cell=0.25),
-        bodies=[
-            lp.Body(
-                shape=lp.Box(lower=(0, 0, 0), upper=(1, 1, 0.5)),
-                material=lp.Thermal(density=1, specific_heat=1, conductivity=1),
-            )
-        ],
-        heat=lp.Heat(),
-        time=lp.Time(end=0.001),
-    )
-    frames = lp.run(scene, tmp_path / "box.vtkhdf", progress=False).frames
+    frames = slab_in_space(tmp_path)
 
     def title(**style: str) -> str:
         return plot.draw(frames, time=0, style=Style(**style)).axes[0].get_title()

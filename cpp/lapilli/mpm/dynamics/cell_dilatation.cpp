@@ -160,10 +160,7 @@ void add_mean_stress(DynamicsData<Dim>& data) {
   cells.divide();
   const double* volume = cells.volume();
   const double* stress = cells.stress();
-  double* force[Dim];
-  for (int axis = 0; axis < Dim; ++axis) {
-    force[axis] = data.nodes.increment(axis);
-  }
+  const AxisArrays<Dim> force = data.nodes.increments();
   const Index first = data.nodes.first();
   const double scale = data.grid.inverse_cell_size();
   for_each_node(data, [&](Index node, const Corners<Dim>& corners) {
@@ -188,12 +185,9 @@ void add_mean_stress(DynamicsData<Dim>& data) {
 template <int Dim>
 void find_mean_dilatation(DynamicsData<Dim>& data) {
   CellDilatation<Dim>& cells = *data.dilatation;
-  const double* velocity[Dim];
-  for (int axis = 0; axis < Dim; ++axis) {
-    velocity[axis] = data.settings.stress_update == StressUpdate::musl
-                         ? data.nodes.second_velocity(axis)
-                         : data.nodes.strain_velocity(axis);
-  }
+  const AxisArrays<Dim> velocity = data.settings.stress_update == StressUpdate::musl
+                                       ? data.nodes.second_velocities()
+                                       : data.nodes.strain_velocities();
   const double* volume = cells.volume();
   double* rate = cells.rate();
   const double scale = data.grid.inverse_cell_size();

@@ -5,6 +5,7 @@
 
 #include "lapilli/core/points.hpp"
 #include "lapilli/materials/state_arrays.hpp"
+#include "lapilli/mpm/dynamics/axis_arrays.hpp"
 #include "lapilli/mpm/dynamics/cell_dilatation.hpp"
 #include "lapilli/mpm/dynamics/dynamics_problem.hpp"
 #include "lapilli/mpm/dynamics/grid_boundaries.hpp"
@@ -41,6 +42,11 @@ class DynamicsNodes {
   double* gain(int axis) { return array(faded_ + axis); }                  // blended_apic only
   double* fade() { return array(faded_ + Dim); }                           // blended_apic only
   double* internal(int axis) { return array(damped_ + axis); }  // m/s a step; local damping only
+  // The same along all axes.
+  AxisArrays<Dim> velocities() { return arrays_from(1); }
+  AxisArrays<Dim> increments() { return arrays_from(1 + Dim); }
+  AxisArrays<Dim> strain_velocities() { return arrays_from(limited_); }
+  AxisArrays<Dim> second_velocities() { return arrays_from(1 + 2 * Dim); }
   const double* mass() const { return array(0); }
   const double* velocity(int axis) const { return array(1 + axis); }
   const double* increment(int axis) const { return array(1 + Dim + axis); }
@@ -58,6 +64,13 @@ class DynamicsNodes {
 
  private:
   void clear_range(Index first, Index last);
+  AxisArrays<Dim> arrays_from(int which) {
+    AxisArrays<Dim> all;
+    for (int axis = 0; axis < Dim; ++axis) {
+      all.axis[axis] = array(which + axis);
+    }
+    return all;
+  }
   double* array(int which) { return values_.data() + which * size_; }
   const double* array(int which) const { return values_.data() + which * size_; }
 

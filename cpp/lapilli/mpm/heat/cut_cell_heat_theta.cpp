@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
 #include "lapilli/mpm/heat/part_sources.hpp"
+#include "lapilli/mpm/heat/theta_steps.hpp"
 
 namespace lapilli {
 namespace {
@@ -141,8 +141,7 @@ class CutCellHeat<Dim>::ThetaStep {
     if (theta_ < 1.0 && one_.range.stray(nodal_, range) > 1e-10 * (range.high - range.low)) {
       return false;  // beyond what neighbours can take up
     }
-    require_converged(last);
-    report.residual = std::max(report.residual, last.scale > 0.0 ? last.change / last.scale : 0.0);
+    report.residual = std::max(report.residual, converged_share(last.change, last.scale));
     book();
     return true;
   }
@@ -178,7 +177,7 @@ class CutCellHeat<Dim>::ThetaStep {
     heat_.prepare(one_, all_, theta_ * size_);
     const bool linear = heat_.is_linear(one_);
     Change last;
-    for (int iteration = 0; iteration < (linear ? 1 : iterations_allowed); ++iteration) {
+    for (int iteration = 0; iteration < (linear ? 1 : theta_iterations); ++iteration) {
       evaluate(trial_);
       const Vector source_now = sources_at(trial_, theta_, at_end_);
       const Vector taken_up = capacity_.cwiseProduct(trial_ - start_) +
@@ -197,13 +196,6 @@ class CutCellHeat<Dim>::ThetaStep {
     return last;
   }
 
-  static void require_converged(const Change& last) {
-    if (last.change > 1e-8 * last.scale) {
-      throw RunError(message("heat: the theta scheme stalled after ", iterations_allowed,
-                             " iterations, change ", last.change, " K; take smaller steps"));
-    }
-  }
-
   void book() {
     evaluate(trial_);
     add_laws(theta_ * size_);
@@ -216,8 +208,6 @@ class CutCellHeat<Dim>::ThetaStep {
     }
     one_.part.followers.prolong(one_.part.temperature);
   }
-
-  static constexpr int iterations_allowed = 30;
 
   CutCellHeat& heat_;
   Solved& one_;
@@ -233,12 +223,8 @@ class CutCellHeat<Dim>::ThetaStep {
 
 template <int Dim>
 StepReport CutCellHeat<Dim>::advance_implicitly(Solved& one, const Step& step) {
-  // The two steps after the start and after every jump of a table are taken as backward Euler
-  // halves, which share the matrix of a Crank-Nicolson step and damp what it excites (Rannacher
-  // 1984); so are steps that would leave the range.
   const double theta = problem_.settings.theta;
-  bool damped = theta < 1.0 && (step.index < 2 ||
-                                laws_.jumps_within(step.time - step.size, step.time + step.size));
+  bool damped = is_damped(theta, step, laws_);  // and where a step would leave the range
   StepReport report{step.size, 0, 0.0};
   if (!damped) {
     damped = !ThetaStep(*this, one, step.time, step.size, theta).take(report);

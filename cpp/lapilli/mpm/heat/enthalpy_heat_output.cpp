@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "lapilli/core/pair_entries.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/bridged_gaps.hpp"
 #include "lapilli/mpm/heat/drawn_gaps.hpp"
@@ -133,8 +134,7 @@ std::vector<std::pair<std::string, double>> EnthalpyHeat<Dim>::diagnostics() con
   }
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const auto name = [&](std::size_t body) {
-      const std::string& own = problem_.bodies[body].name;
-      return own.empty() ? message("body ", body) : own;
+      return name_or_number(problem_.bodies[body].name, body);
     };
     all.emplace_back(
         message("heat from ", name(contacts_[k].first), " to ", name(contacts_[k].second)),

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
@@ -27,10 +26,7 @@ StrongEnds<Dim>::StrongEnds(const HeatProblem<Dim>& problem, std::size_t body,
       parts_(problem.settings.boundaries.size()) {
   const auto& laws = problem.settings.boundaries;
   for (const HeatBoundary& law : laws) {
-    coefficient_.push_back(surroundings_of(law) == nullptr ? 0.0
-                           : holds_temperature(law)
-                               ? std::numeric_limits<double>::infinity()
-                               : largest_coefficient(law, 0.0, absolute_zero(problem.settings)));
+    coefficient_.push_back(largest_coefficient(law, 0.0, absolute_zero(problem.settings)));
   }
   const bool divided =
       std::ranges::any_of(laws, [](const HeatBoundary& law) { return region_of(law) != nullptr; });

@@ -61,11 +61,7 @@ JointGap<Dim> joint_gap(const Grid<Dim>& grid, const CellState<Dim>& state,
       Vec<Dim> gradient[1 << Dim];
       cell_shape<Dim>(grid, facet.cell, point.position, value, gradient);
       for (int a = 0; a < (1 << Dim); ++a) {
-        int node = 0, stride = 1;
-        for (int axis = 0; axis < Dim; ++axis) {
-          node += stride * (facet.cell[axis] - joint.box.first[axis] + ((a >> axis) & 1));
-          stride *= joint.box.cells[axis] + 1;
-        }
+        const int node = joint.box.node(facet.cell, a);
         joint.mean.template middleRows<Dim>(Dim * node) += point.weight * value[a] * held;
       }
       joint.motion += point.weight * held.transpose() * motions[f][q];

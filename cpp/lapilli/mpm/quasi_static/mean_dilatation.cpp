@@ -114,12 +114,8 @@ void MeanDilatation<Dim>::hand_to_points(const Grid<Dim>& grid, const PointWeigh
       middle_of_point_[p] += share * middle_[row_[cell]];
       const auto at = grid.cell_at(cell);
       for (Index a = 0; a < nodes; ++a) {
-        Index node = 0, stride = 1;
-        for (int axis = 0; axis < Dim; ++axis) {
-          node += stride * (at[axis] - box.first[axis] + ((a >> axis) & 1));
-          stride *= box.cells[axis] + 1;
-        }
-        of_point_[start_[p] + node] += share * of_cell_[row_[cell] * nodes + a];
+        of_point_[start_[p] + box.node(at, static_cast<int>(a))] +=
+            share * of_cell_[row_[cell] * nodes + a];
       }
     });
   }

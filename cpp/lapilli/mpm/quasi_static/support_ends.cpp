@@ -1,6 +1,5 @@
 #include "lapilli/mpm/quasi_static/support_ends.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,6 +7,7 @@
 
 #include "lapilli/core/in_space.hpp"
 #include "lapilli/mpm/quasi_static/on_bodies.hpp"
+#include "lapilli/mpm/quasi_static/support_terms.hpp"
 
 namespace lapilli {
 namespace {
@@ -19,13 +19,10 @@ constexpr double below = 2.0;          // cells, where the material goes on that
 template <int Dim>
 std::vector<Vec<Dim>> directions_along(const Vec<Dim>& normal) {
   if constexpr (Dim == 2) {
-    const Vec<2> along(-normal[1], normal[0]);
+    const Vec<2> along = tangents<2>(normal)[0];
     return {along, Vec<2>(-along)};
   } else {
-    int least = 0;
-    normal.cwiseAbs().minCoeff(&least);
-    const Vec<3> first = normal.cross(Vec<3>::Unit(least)).normalized();
-    const Vec<3> second = normal.cross(first);
+    const auto [first, second] = tangents<3>(normal);
     std::vector<Vec<3>> all;
     for (int k = 0; k < 8; ++k) {
       const double angle = 0.25 * k * std::numbers::pi;

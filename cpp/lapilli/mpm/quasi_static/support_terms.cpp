@@ -27,6 +27,18 @@ SupportScheme SupportScheme::at_end(bool averaged) const {
 }
 
 template <int Dim>
+std::array<Vec<Dim>, Dim - 1> tangents(const Vec<Dim>& normal) {
+  if constexpr (Dim == 2) {
+    return {Vec<2>(-normal[1], normal[0])};
+  } else {
+    int least = 0;
+    normal.cwiseAbs().minCoeff(&least);
+    const Vec<3> first = normal.cross(Vec<3>::Unit(least)).normalized();
+    return {first, Vec<3>(normal.cross(first))};
+  }
+}
+
+template <int Dim>
 void cell_shape(const Grid<Dim>& grid, const typename Grid<Dim>::Cell& cell,
                 const Vec<Dim>& position, double* value, Vec<Dim>* gradient) {
   const Vec<Dim> at = grid.local(position);
@@ -75,16 +87,10 @@ struct Constraint {
     if (kind != HeldMotion::roller) {
       projector += along;
       stiffness += shear * along;
-      Vec<Dim> first;
-      if constexpr (Dim == 2) {
-        first = Vec<Dim>(-normal[1], normal[0]);
-      } else {
-        int least = 0;
-        normal.cwiseAbs().minCoeff(&least);
-        first = Vec<Dim>(normal.cross(Vec<Dim>::Unit(least))).normalized();
-        directions.push_back({normal.cross(first), shear});
+      const auto both = tangents<Dim>(normal);
+      for (auto one = both.rbegin(); one != both.rend(); ++one) {
+        directions.push_back({*one, shear});
       }
-      directions.push_back({first, shear});
     }
   }
 };
@@ -264,6 +270,8 @@ Eigen::MatrixXd ghost_matrix(int axis, double cell_size) {
   return matrix * (face_area / (1 << (Dim - 1))) * cell_size / 3.0;
 }
 
+template std::array<Vec<2>, 1> tangents<2>(const Vec<2>&);
+template std::array<Vec<3>, 2> tangents<3>(const Vec<3>&);
 template void cell_shape<2>(const Grid<2>&, const Grid<2>::Cell&, const Vec<2>&, double*, Vec<2>*);
 template void cell_shape<3>(const Grid<3>&, const Grid<3>::Cell&, const Vec<3>&, double*, Vec<3>*);
 template SupportTerm<2> support_term(const Grid<2>&, const CellState<2>&, const Facet<2>&,

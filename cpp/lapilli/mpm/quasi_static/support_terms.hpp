@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -7,6 +8,10 @@
 #include "lapilli/mpm/quasi_static/settings.hpp"
 
 namespace lapilli {
+
+/// Unit vectors along a wall, across each other.
+template <int Dim>
+std::array<Vec<Dim>, Dim - 1> tangents(const Vec<Dim>& normal);
 
 /// The numbers of a wall form: stiffness of the constraint and share of the consistency term.
 struct SupportScheme {

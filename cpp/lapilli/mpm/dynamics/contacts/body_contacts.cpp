@@ -22,7 +22,7 @@ BodyContacts<Dim>::BodyContacts(const DynamicsData<Dim>& data,
 
 /// Better impulses of the nodes of one pair at the present velocity.
 template <int Dim>
-void BodyContacts<Dim>::improve(const double* mass, double* const (&velocity)[Dim], double step,
+void BodyContacts<Dim>::improve(const double* mass, const AxisArrays<Dim>& velocity, double step,
                                 std::size_t pair, std::vector<Impulse>& all) {
   const std::span<SharedNode<Dim>> nodes = shared_.of(pair);
   if (nodes.empty()) {
@@ -58,7 +58,7 @@ void BodyContacts<Dim>::improve(const double* mass, double* const (&velocity)[Di
 /// The impulses that a nodal velocity needs, added to it.
 template <int Dim>
 std::vector<typename BodyContacts<Dim>::Impulse> BodyContacts<Dim>::solve(
-    const double* mass, double* const (&velocity)[Dim], double step) {
+    const double* mass, const AxisArrays<Dim>& velocity, double step) {
   std::vector<Impulse> impulses(shared_.all().size());
   const bool crowded = shared_.touched().size() < 2 * shared_.all().size();
   for (int sweep = 0; sweep < (crowded ? sweeps : 1); ++sweep) {
@@ -74,10 +74,8 @@ void BodyContacts<Dim>::push(DynamicsData<Dim>& data, double step, NodeSums& sum
   shared_.find(data, groups_.pairs);
   const std::vector<Index>& touched = shared_.touched();
   before_.resize(touched.size());
-  double *velocity[Dim], *strain_velocity[Dim];
+  const AxisArrays<Dim> velocity = data.nodes.velocities();
   for (int axis = 0; axis < Dim; ++axis) {
-    velocity[axis] = data.nodes.velocity(axis);
-    strain_velocity[axis] = data.nodes.strain_velocity(axis);
     for (std::size_t k = 0; k < touched.size(); ++k) {
       before_[k][axis] = velocity[axis][touched[k]];
     }
@@ -85,7 +83,7 @@ void BodyContacts<Dim>::push(DynamicsData<Dim>& data, double step, NodeSums& sum
   impulses_ = solve(data.nodes.mass(), velocity, step);
   if (data.nodes.limits_strain()) {
     // Light nodes strain with part of the force; the impulse against the whole of it is too much.
-    solve(data.nodes.mass(), strain_velocity, step);
+    solve(data.nodes.mass(), data.nodes.strain_velocities(), step);
   }
   book(data, step, sums);
   if (keeps_touches_) {

@@ -57,9 +57,9 @@ class BodyContacts {
   }
 
   void find_touches(const DynamicsData<Dim>& data);
-  void improve(const double* mass, double* const (&velocity)[Dim], double step, std::size_t pair,
+  void improve(const double* mass, const AxisArrays<Dim>& velocity, double step, std::size_t pair,
                std::vector<Impulse>& all);
-  std::vector<Impulse> solve(const double* mass, double* const (&velocity)[Dim], double step);
+  std::vector<Impulse> solve(const double* mass, const AxisArrays<Dim>& velocity, double step);
   void book(DynamicsData<Dim>& data, double step, NodeSums& sums);
 
   ContactGroups groups_;

@@ -11,7 +11,7 @@ namespace {
 /// Add impulses at the feet to the nodes, in the order of the contacts.
 template <int Dim, class ImpulseOf>
 void add_to_nodes(const std::vector<Contact<Dim>>& contacts, const double* mass,
-                  double* const (&velocity)[Dim], const ImpulseOf& impulse_of) {
+                  const AxisArrays<Dim>& velocity, const ImpulseOf& impulse_of) {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<Dim>& contact = contacts[k];
     const Vec<Dim> impulse = impulse_of(k);
@@ -77,7 +77,7 @@ void set_masses(std::vector<Contact<Dim>>& contacts, const double* mass, const R
 
 /// Better impulses of one contact at the present velocity; returns what changes.
 template <int Dim>
-Vec<Dim> improve(Contact<Dim>& contact, double friction, double* const (&velocity)[Dim]) {
+Vec<Dim> improve(Contact<Dim>& contact, double friction, const AxisArrays<Dim>& velocity) {
   const Vec<Dim> before = contact.impulse();
   const Vec<Dim> relative = contact.at_foot(velocity) - contact.wall;
   const double normal = relative.dot(contact.normal);
@@ -94,7 +94,7 @@ Vec<Dim> improve(Contact<Dim>& contact, double friction, double* const (&velocit
 
 /// Add impulses at the feet to both sides.
 template <int Dim, class ImpulseOf>
-void give(std::vector<Contact<Dim>>& contacts, const double* mass, double* const (&velocity)[Dim],
+void give(std::vector<Contact<Dim>>& contacts, const double* mass, const AxisArrays<Dim>& velocity,
           RigidMotion& motion, const ImpulseOf& impulse_of) {
   add_to_nodes(contacts, mass, velocity, impulse_of);
   if (motion.is_free()) {
@@ -106,7 +106,7 @@ void give(std::vector<Contact<Dim>>& contacts, const double* mass, double* const
 
 template <int Dim>
 void begin_contacts(std::vector<Contact<Dim>>& contacts, const double* mass,
-                    double* const (&velocity)[Dim], RigidMotion& motion,
+                    const AxisArrays<Dim>& velocity, RigidMotion& motion,
                     std::vector<double>& crowd) {
   set_masses(contacts, mass, motion, crowd);
   give(contacts, mass, velocity, motion, [&](std::size_t k) { return contacts[k].impulse(); });
@@ -114,7 +114,7 @@ void begin_contacts(std::vector<Contact<Dim>>& contacts, const double* mass,
 
 template <int Dim>
 void sweep_contacts(std::vector<Contact<Dim>>& contacts, double friction, const double* mass,
-                    double* const (&velocity)[Dim], RigidMotion& motion) {
+                    const AxisArrays<Dim>& velocity, RigidMotion& motion) {
   std::vector<Vec<Dim>> change(contacts.size());
   parallel_for(static_cast<Index>(contacts.size()),
                [&](Index k) { change[k] = improve(contacts[k], friction, velocity); });
@@ -123,7 +123,7 @@ void sweep_contacts(std::vector<Contact<Dim>>& contacts, double friction, const 
 
 template <int Dim>
 void match_contacts(const std::vector<Contact<Dim>>& contacts, const double* mass,
-                    double* const (&velocity)[Dim]) {
+                    const AxisArrays<Dim>& velocity) {
   std::vector<Vec<Dim>> change(contacts.size());
   parallel_for(static_cast<Index>(contacts.size()), [&](Index k) {
     const Contact<Dim>& contact = contacts[k];
@@ -136,13 +136,13 @@ void match_contacts(const std::vector<Contact<Dim>>& contacts, const double* mas
   add_to_nodes(contacts, mass, velocity, [&](std::size_t k) { return change[k]; });
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                                \
-  template void begin_contacts<Dim>(std::vector<Contact<Dim>>&, const double*,                  \
-                                    double* const(&)[Dim], RigidMotion&, std::vector<double>&); \
-  template void sweep_contacts<Dim>(std::vector<Contact<Dim>>&, double, const double*,          \
-                                    double* const(&)[Dim], RigidMotion&);                       \
-  template void match_contacts<Dim>(const std::vector<Contact<Dim>>&, const double*,            \
-                                    double* const(&)[Dim]);
+#define LAPILLI_INSTANTIATE(Dim)                                                                 \
+  template void begin_contacts<Dim>(std::vector<Contact<Dim>>&, const double*,                   \
+                                    const AxisArrays<Dim>&, RigidMotion&, std::vector<double>&); \
+  template void sweep_contacts<Dim>(std::vector<Contact<Dim>>&, double, const double*,           \
+                                    const AxisArrays<Dim>&, RigidMotion&);                       \
+  template void match_contacts<Dim>(const std::vector<Contact<Dim>>&, const double*,             \
+                                    const AxisArrays<Dim>&);
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)
 #undef LAPILLI_INSTANTIATE

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lapilli/core/vector.hpp"
+#include "lapilli/mpm/dynamics/axis_arrays.hpp"
 #include "lapilli/mpm/dynamics/obstacles/rigid_motion.hpp"
 
 namespace lapilli {
@@ -53,7 +54,7 @@ struct Contact {
   bool acts() const { return bonded ? push != 0.0 : push > 0.0; }
 
   /// A nodal quantity at the foot.
-  Vec<Dim> at_foot(double* const (&nodal)[Dim]) const {
+  Vec<Dim> at_foot(const AxisArrays<Dim>& nodal) const {
     Vec<Dim> value = Vec<Dim>::Zero();
     for (int k = 0; k < count; ++k) {
       for (int axis = 0; axis < Dim; ++axis) {
@@ -76,19 +77,19 @@ inline constexpr int contact_sweeps = 4;
 /// is free, to `motion`; `crowd` is scratch over the nodes, zero before and after.
 template <int Dim>
 void begin_contacts(std::vector<Contact<Dim>>& contacts, const double* mass,
-                    double* const (&velocity)[Dim], RigidMotion& motion,
+                    const AxisArrays<Dim>& velocity, RigidMotion& motion,
                     std::vector<double>& crowd);
 
 /// One sweep at the present velocity. friction = infinity: no slip.
 template <int Dim>
 void sweep_contacts(std::vector<Contact<Dim>>& contacts, double friction, const double* mass,
-                    double* const (&velocity)[Dim], RigidMotion& motion);
+                    const AxisArrays<Dim>& velocity, RigidMotion& motion);
 
 /// One sweep that gives a velocity that was projected again (MUSL) what the contacts that push left
 /// across the surface at their feet; along it too, blocks that friction holds would gain energy.
 /// Books nothing.
 template <int Dim>
 void match_contacts(const std::vector<Contact<Dim>>& contacts, const double* mass,
-                    double* const (&velocity)[Dim]);
+                    const AxisArrays<Dim>& velocity);
 
 }  // namespace lapilli

@@ -114,7 +114,7 @@ void leave_out(const std::vector<Contact<Dim>>& nodes, std::vector<Contact<Dim>>
 
 template <int Dim>
 void hold_light_nodes(std::vector<Contact<Dim>>& nodes, const double* mass,
-                      double* const (&velocity)[Dim], RigidMotion& motion,
+                      const AxisArrays<Dim>& velocity, RigidMotion& motion,
                       std::vector<Contact<Dim>>& contacts) {
   Vec3 impulse = Vec3::Zero(), moment = Vec3::Zero();
   for (Contact<Dim>& contact : nodes) {
@@ -137,7 +137,7 @@ void hold_light_nodes(std::vector<Contact<Dim>>& nodes, const double* mass,
 }
 
 template <int Dim>
-void match_light_nodes(const std::vector<Contact<Dim>>& nodes, double* const (&velocity)[Dim]) {
+void match_light_nodes(const std::vector<Contact<Dim>>& nodes, const AxisArrays<Dim>& velocity) {
   for (const Contact<Dim>& contact : nodes) {
     if (contact.acts()) {
       const double across = (contact.solved - contact.at_foot(velocity)).dot(contact.normal);
@@ -148,13 +148,14 @@ void match_light_nodes(const std::vector<Contact<Dim>>& nodes, double* const (&v
   }
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                                   \
-  template std::vector<Contact<Dim>> find_light_nodes(const DynamicsData<Dim>&,                    \
-                                                      const std::vector<Contact<Dim>>&);           \
-  template void leave_out(const std::vector<Contact<Dim>>&, std::vector<Contact<Dim>>&);           \
-  template void hold_light_nodes(std::vector<Contact<Dim>>&, const double*, double* const(&)[Dim], \
-                                 RigidMotion&, std::vector<Contact<Dim>>&);                        \
-  template void match_light_nodes(const std::vector<Contact<Dim>>&, double* const(&)[Dim]);
+#define LAPILLI_INSTANTIATE(Dim)                                                         \
+  template std::vector<Contact<Dim>> find_light_nodes(const DynamicsData<Dim>&,          \
+                                                      const std::vector<Contact<Dim>>&); \
+  template void leave_out(const std::vector<Contact<Dim>>&, std::vector<Contact<Dim>>&); \
+  template void hold_light_nodes(std::vector<Contact<Dim>>&, const double*,              \
+                                 const AxisArrays<Dim>&, RigidMotion&,                   \
+                                 std::vector<Contact<Dim>>&);                            \
+  template void match_light_nodes(const std::vector<Contact<Dim>>&, const AxisArrays<Dim>&);
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)
 #undef LAPILLI_INSTANTIATE

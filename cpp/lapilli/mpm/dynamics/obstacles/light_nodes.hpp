@@ -30,11 +30,11 @@ void leave_out(const std::vector<Contact<Dim>>& nodes, std::vector<Contact<Dim>>
 /// contacts beside them.
 template <int Dim>
 void hold_light_nodes(std::vector<Contact<Dim>>& nodes, const double* mass,
-                      double* const (&velocity)[Dim], RigidMotion& motion,
+                      const AxisArrays<Dim>& velocity, RigidMotion& motion,
                       std::vector<Contact<Dim>>& contacts);
 
 /// What that means for the velocity projected again (MUSL).
 template <int Dim>
-void match_light_nodes(const std::vector<Contact<Dim>>& nodes, double* const (&velocity)[Dim]);
+void match_light_nodes(const std::vector<Contact<Dim>>& nodes, const AxisArrays<Dim>& velocity);
 
 }  // namespace lapilli

@@ -99,11 +99,8 @@ void ObstacleContacts<Dim>::keep() {
 
 template <int Dim>
 void ObstacleContacts<Dim>::meet(DynamicsData<Dim>& data) {
-  double *velocity[Dim], *increment[Dim];
-  for (int axis = 0; axis < Dim; ++axis) {
-    velocity[axis] = data.nodes.velocity(axis);
-    increment[axis] = data.nodes.increment(axis);
-  }
+  const AxisArrays<Dim> velocity = data.nodes.velocities();
+  const AxisArrays<Dim> increment = data.nodes.increments();
   light_ = find_light_nodes(data, contacts_);
   leave_out(light_, contacts_);
   for (auto* contacts : {&contacts_, &light_}) {
@@ -117,10 +114,7 @@ void ObstacleContacts<Dim>::meet(DynamicsData<Dim>& data) {
 template <int Dim>
 void ObstacleContacts<Dim>::begin(DynamicsData<Dim>& data, double step,
                                   std::vector<double>& crowd) {
-  double* velocity[Dim];
-  for (int axis = 0; axis < Dim; ++axis) {
-    velocity[axis] = data.nodes.velocity(axis);
-  }
+  const AxisArrays<Dim> velocity = data.nodes.velocities();
   start_from(last_step_ > 0.0 ? step / last_step_ : 0.0);
   hold_light_nodes<Dim>(light_, data.nodes.mass(), velocity, motion_, contacts_);
   begin_contacts<Dim>(contacts_, data.nodes.mass(), velocity, motion_, crowd);
@@ -128,20 +122,14 @@ void ObstacleContacts<Dim>::begin(DynamicsData<Dim>& data, double step,
 
 template <int Dim>
 void ObstacleContacts<Dim>::sweep(DynamicsData<Dim>& data) {
-  double* velocity[Dim];
-  for (int axis = 0; axis < Dim; ++axis) {
-    velocity[axis] = data.nodes.velocity(axis);
-  }
+  const AxisArrays<Dim> velocity = data.nodes.velocities();
   sweep_contacts<Dim>(contacts_, friction_, data.nodes.mass(), velocity, motion_);
 }
 
 template <int Dim>
 typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::finish(DynamicsData<Dim>& data,
                                                                    double step) {
-  double* velocity[Dim];
-  for (int axis = 0; axis < Dim; ++axis) {
-    velocity[axis] = data.nodes.velocity(axis);
-  }
+  const AxisArrays<Dim> velocity = data.nodes.velocities();
   keep();
   last_step_ = step;
   force_.setZero();
@@ -156,7 +144,7 @@ typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::finish(DynamicsData<
 /// What the impulses of the step did: they work on the mean of the velocities before and after it.
 template <int Dim>
 void ObstacleContacts<Dim>::book(std::vector<Contact<Dim>>& contacts,
-                                 double* const (&velocity)[Dim], double step, Work& work) {
+                                 const AxisArrays<Dim>& velocity, double step, Work& work) {
   for (Contact<Dim>& contact : contacts) {
     const Vec<Dim> after = contact.at_foot(velocity), impulse = contact.impulse();
     contact.solved = after;
@@ -175,19 +163,13 @@ void ObstacleContacts<Dim>::book(std::vector<Contact<Dim>>& contacts,
 
 template <int Dim>
 void ObstacleContacts<Dim>::sweep_second(DynamicsData<Dim>& data) {
-  double* velocity[Dim];
-  for (int axis = 0; axis < Dim; ++axis) {
-    velocity[axis] = data.nodes.second_velocity(axis);
-  }
+  const AxisArrays<Dim> velocity = data.nodes.second_velocities();
   match_contacts<Dim>(contacts_, data.nodes.mass(), velocity);
 }
 
 template <int Dim>
 void ObstacleContacts<Dim>::finish_second(DynamicsData<Dim>& data) {
-  double* velocity[Dim];
-  for (int axis = 0; axis < Dim; ++axis) {
-    velocity[axis] = data.nodes.second_velocity(axis);
-  }
+  const AxisArrays<Dim> velocity = data.nodes.second_velocities();
   match_light_nodes<Dim>(light_, velocity);
 }
 

@@ -86,7 +86,7 @@ class ObstacleContacts {
                       Contact<Dim>& contact) const;
   Contact<Dim> contact_at(const DynamicsData<Dim>& data, Index row, const Vec3& x, double gap,
                           double step) const;
-  void book(std::vector<Contact<Dim>>& contacts, double* const (&velocity)[Dim], double step,
+  void book(std::vector<Contact<Dim>>& contacts, const AxisArrays<Dim>& velocity, double step,
             Work& work);
   void start_from(double scale);
   void keep();
