@@ -43,32 +43,36 @@ Gauss gauss(int points) {
   }
 }
 
-// Where the distance changes sign between two values of opposite sign: regula falsi with the
-// Illinois rule, to rounding.
+// The value kept at the other end when two steps fall on one side (Anderson & Bjoerck 1973).
+double less_of(double kept, double before, double now) {
+  const double share = 1.0 - now / before;
+  return kept * (share > 0.0 ? share : 0.5);
+}
+
+// Where the distance changes sign between two values of opposite sign: regula falsi, to rounding.
 template <class Along>
 double sign_change(const Along& along, double a, double fa, double b, double fb) {
   const double fine = 4e-16 * (std::abs(a) + std::abs(b) + (b - a));
-  double root = a;
+  double root = a, last = a;
   for (int step = 0; step < 100 && b - a > fine; ++step) {
-    root = step % 4 == 3 ? 0.5 * (a + b) : a - fa * (b - a) / (fb - fa);
+    const bool halve = step % 6 == 5;
+    root = halve ? 0.5 * (a + b) : a - fa * (b - a) / (fb - fa);
+    if (!halve && step > 0 && std::abs(root - last) < fine) {
+      break;
+    }
+    last = root;
     const double f = along(root);
     if (f == 0.0) {
       break;
     }
     if ((f > 0.0) == (fb > 0.0)) {
-      if (step % 4 != 3 && std::abs(root - b) < fine) {
-        break;
-      }
+      fa = less_of(fa, fb, f);
       b = root;
       fb = f;
-      fa *= 0.5;
     } else {
-      if (step % 4 != 3 && std::abs(root - a) < fine) {
-        break;
-      }
+      fb = less_of(fb, fa, f);
       a = root;
       fa = f;
-      fb *= 0.5;
     }
   }
   return root;
@@ -107,7 +111,7 @@ class SubBox {
     order_axes();
   }
 
-  MomentSum integrate(int gauss_points) const {
+  MomentSum integrate(int gauss_points) {
     Vec3 at = lower_;
     return over_axis(dimension_ - 1, at, gauss(gauss_points));
   }
@@ -130,20 +134,23 @@ class SubBox {
                      [&](int a, int b) { return std::abs(slope[a]) > std::abs(slope[b]); });
   }
 
-  void roots_along(int axis, const Vec3& at, std::vector<double>& roots) const {
+  // Adds the roots, in order; whether the line begins inside.
+  bool roots_along(int axis, const Vec3& at, std::vector<double>& roots) const {
     const auto along = [&](double s) {
       Vec3 x = at;
       x[axis] = s;
       return distance_(x);
     };
-    const double a = lower_[axis], b = a + side_;
-    sign_changes(along, a, along(a), b, along(b), line_halvings(dimension_), roots);
+    const double a = lower_[axis], b = a + side_, fa = along(a);
+    sign_changes(along, a, fa, b, along(b), line_halvings(dimension_), roots);
+    return fa <= 0.0;
   }
 
   // Breakpoints along order_[level]: ends, and the roots on the edges of the slice below.
-  std::vector<double> breaks(int level, Vec3 at) const {
+  void find_breaks(int level, Vec3 at) {
     const int axis = order_[static_cast<std::size_t>(level)];
-    std::vector<double> all = {lower_[axis], lower_[axis] + side_};
+    std::vector<double>& all = breaks_[static_cast<std::size_t>(level)];
+    all.assign({lower_[axis], lower_[axis] + side_});
     for (int which = 0; which < 1 << level; ++which) {
       for (int below = 0; below < level; ++below) {
         const int other = order_[static_cast<std::size_t>(below)];
@@ -152,30 +159,44 @@ class SubBox {
       roots_along(axis, at, all);
     }
     std::sort(all.begin(), all.end());
-    return all;
   }
 
-  MomentSum over_axis(int level, Vec3& at, const Gauss& rule) const {
+  MomentSum over_axis(int level, Vec3& at, const Gauss& rule) {
+    if (level == 0) {
+      return over_line(at);
+    }
     const int axis = order_[static_cast<std::size_t>(level)];
+    find_breaks(level, at);
+    const std::vector<double>& cuts = breaks_[static_cast<std::size_t>(level)];
     MomentSum sum;
-    const std::vector<double> cuts = breaks(level, at);
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
       const double from = cuts[k], length = cuts[k + 1] - cuts[k];
-      if (length <= 0.0) {
-        continue;
+      for (std::size_t g = 0; length > 0.0 && g < rule.place.size(); ++g) {
+        at[axis] = from + rule.place[g] * length;
+        sum.add(rule.weight[g] * length, over_axis(level - 1, at, rule));
       }
-      if (level == 0) {
+    }
+    return sum;
+  }
+
+  // Inside and outside take turns.
+  MomentSum over_line(Vec3& at) {
+    const int axis = order_[0];
+    std::vector<double>& roots = breaks_[0];
+    roots.clear();
+    bool inside = roots_along(axis, at, roots);
+    roots.push_back(lower_[axis] + side_);
+    MomentSum sum;
+    double from = lower_[axis];
+    for (const double to : roots) {
+      const double length = to - from;
+      if (inside && length > 0.0) {
         at[axis] = from + 0.5 * length;
-        if (distance_(at) <= 0.0) {
-          sum.add_place(length, at - corner_);
-          sum.second(axis, axis) += length * length * length / 12.0;
-        }
-      } else {
-        for (std::size_t g = 0; g < rule.place.size(); ++g) {
-          at[axis] = from + rule.place[g] * length;
-          sum.add(rule.weight[g] * length, over_axis(level - 1, at, rule));
-        }
+        sum.add_place(length, at - corner_);
+        sum.second(axis, axis) += length * length * length / 12.0;
       }
+      inside = !inside;
+      from = to;
     }
     return sum;
   }
@@ -185,6 +206,7 @@ class SubBox {
   double side_;
   int dimension_;
   std::array<int, 3> order_{0, 1, 2};
+  std::array<std::vector<double>, 3> breaks_;
 };
 
 // How finely boxes are halved and which rules are compared.
@@ -226,7 +248,7 @@ struct Adaptive {
       sum.first += volume * from;
       return sum;
     }
-    const SubBox box(distance, corner, lower, side, dimension);
+    SubBox box(distance, corner, lower, side, dimension);
     const MomentSum fine = box.integrate(plan.fine);
     if (halvings_left == 0 ||
         std::abs(fine.volume - box.integrate(plan.coarse).volume) <= plan.tolerance * whole) {

@@ -1,6 +1,8 @@
 #include "lapilli/geometry/shape.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lapilli {
 namespace {
@@ -22,14 +24,14 @@ Vec3 gradient(const Shape& shape, const Vec3& x) {
 }
 
 Vec3 project(const Shape& shape, const Vec3& x) {
+  // A distance is no smaller than the rounding of the coordinates it comes from.
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * x.cwiseAbs().maxCoeff();
   Vec3 at = x;
-  const double start = distance(shape, x);
-  for (int step = 0; step < 64; ++step) {
-    const double left = distance(shape, at);
-    if (!(std::abs(left) > 1e-12 * std::abs(start))) {
-      break;
-    }
+  double left = distance(shape, x);
+  const double least = std::max(1e-12 * std::abs(left), rounding);
+  for (int step = 0; step < 64 && std::abs(left) > least; ++step) {
     at -= left * gradient(shape, at);
+    left = distance(shape, at);
   }
   return at;
 }

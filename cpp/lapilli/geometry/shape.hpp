@@ -29,8 +29,8 @@ double distance(const Shape& shape, const Vec3& x);
 Vec3 gradient(const Shape& shape, const Vec3& x);
 
 /// A point of the surface near `x`: the nearest one where the distance is exact; otherwise reached
-/// by walking down the distance, on the surface to 1e-12 of the way walked or as near as 64 steps
-/// bring it.
+/// by walking down the distance, on the surface to 1e-12 of the way walked, to rounding, or as near
+/// as 64 steps bring it.
 Vec3 project(const Shape& shape, const Vec3& x);
 
 /// A box that holds the shape.

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <numbers>
 #include <sstream>
 
@@ -247,6 +248,24 @@ TEST_CASE("unusable meshes are refused, naming the place") {
   refused(from_file("nowhere.stl"), "nowhere.stl: there is no such file");
   REQUIRE_THROWS_WITH(check(cube_mesh(), 2), Contains("mesh needs a grid of 3 dimensions"));
   REQUIRE_THROWS_WITH(cube_mesh().distance(Vec3::Zero()), Contains("call check(shape, 3) first"));
+}
+
+// The distance of a place on a face is the rounding of its coordinates, and no walk makes it less.
+TEST_CASE("to project what lies on a mesh costs no more than what does not") {
+  const Shape ball = ball_mesh(4);
+  check(ball, 3);
+  const auto seconds = [&](std::vector<Vec3>& places) {
+    const std::clock_t begun = std::clock();
+    for (Vec3& x : places) {
+      const Vec3 at = project(ball, x);
+      REQUIRE(std::abs(distance(ball, at)) < 1e-15);
+      x = at;
+    }
+    return static_cast<double>(std::clock() - begun);
+  };
+  std::vector<Vec3> places = random_points(2000, 3, Bounds{Vec3(-1, -1, -1), Vec3(1, 1, 1)});
+  const double off = seconds(places), on = seconds(places);
+  REQUIRE(on < 2.0 * off);
 }
 
 TEST_CASE("broken STL files are refused, naming file and line") {

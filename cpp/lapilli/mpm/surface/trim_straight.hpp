@@ -7,12 +7,13 @@
 
 namespace lapilli {
 
-/// Share of the way where a function that is positive at its start ceases to be. Bisection: regions
-/// bounded by several surfaces are all but zero on one side, which misleads secants.
+/// Share of the way, to 1e-12, where a function that is positive at its start ceases to be.
+/// Bisection: regions bounded by several surfaces are all but zero on one side, which misleads
+/// secants.
 template <class Function>
 double last_inside(const Function& function) {
   double low = 0.0, high = 1.0;
-  for (int round = 0; round < 52; ++round) {
+  for (int round = 0; round < 40; ++round) {
     const double middle = 0.5 * (low + high);
     (function(middle) > 0.0 ? low : high) = middle;
   }
