@@ -1,6 +1,5 @@
 #include "lapilli/geometry/cell_fill.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -8,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "lapilli/core/symmetric_modes.hpp"
 #include "lapilli/geometry/box_parts.hpp"
 #include "lapilli/geometry/checks.hpp"
 #include "lapilli/geometry/random.hpp"
@@ -47,9 +47,9 @@ FourPoints four_points(const Part& part, const Mat3& root, const Mat3& turn) {
 }
 
 Mat3 root_of_mean_square(const Part& part) {
-  const Eigen::SelfAdjointEigenSolver<Mat3> axes(part.spread / part.volume);
-  const Vec3 lengths = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-  return axes.eigenvectors() * lengths.asDiagonal() * axes.eigenvectors().transpose();
+  const SymmetricModes<3> axes = symmetric_modes<3>(part.spread / part.volume);
+  const Vec3 lengths = axes.eigenvalues.cwiseMax(0.0).cwiseSqrt();
+  return axes.eigenvectors * lengths.asDiagonal() * axes.eigenvectors.transpose();
 }
 
 // How far the points lie out of the box, at most; 0 where none does.

@@ -25,6 +25,8 @@ JsonWriter& JsonWriter::key(std::string_view name) {
 void JsonWriter::value(double number) {
   if (std::isfinite(number)) {
     json(shortest(number));
+  } else if (std::isnan(number)) {
+    json("null");
   } else {
     value(std::string_view(shortest(number)));
   }

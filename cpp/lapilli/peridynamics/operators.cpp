@@ -1,12 +1,12 @@
 #include "lapilli/peridynamics/operators.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <atomic>
 #include <cmath>
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/core/symmetric_modes.hpp"
 
 namespace lapilli {
 namespace {
@@ -15,14 +15,14 @@ namespace {
 template <int Dim>
 Mat<Dim> inverse_along_span(const Mat<Dim>& shape) {
   constexpr double flat = 0.02;  // of the largest eigenvalue
-  const Eigen::SelfAdjointEigenSolver<Mat<Dim>> solved(shape);
+  const SymmetricModes<Dim> solved = symmetric_modes<Dim>(shape);
   Vec<Dim> inverse = Vec<Dim>::Zero();
   for (int d = 0; d < Dim; ++d) {
-    if (solved.eigenvalues()[d] > flat * solved.eigenvalues()[Dim - 1]) {
-      inverse[d] = 1.0 / solved.eigenvalues()[d];
+    if (solved.eigenvalues[d] > flat * solved.eigenvalues[Dim - 1]) {
+      inverse[d] = 1.0 / solved.eigenvalues[d];
     }
   }
-  return solved.eigenvectors() * inverse.asDiagonal() * solved.eigenvectors().transpose();
+  return solved.eigenvectors * inverse.asDiagonal() * solved.eigenvectors.transpose();
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include "lapilli/scene/few_cells.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/pair_entries.hpp"
 #include "lapilli/core/points.hpp"
+#include "lapilli/core/symmetric_modes.hpp"
 
 namespace lapilli {
 namespace {
@@ -27,7 +27,7 @@ struct Moments {
   double thickness() const {
     const Vec<Dim> middle = first / volume;
     const Mat<Dim> spread = second / volume - middle * middle.transpose();
-    const double least = Eigen::SelfAdjointEigenSolver<Mat<Dim>>(spread).eigenvalues()[0];
+    const double least = symmetric_modes<Dim>(spread).eigenvalues[0];
     const double spacing = std::pow(volume / static_cast<double>(points), 1.0 / Dim);
     return std::sqrt(12.0 * std::max(0.0, least) + spacing * spacing);
   }

@@ -32,14 +32,14 @@ TEST_CASE("objects and arrays nest with commas and indent") {
           "  \"made\": {\"a\": 1}\n}");
 }
 
-TEST_CASE("what JSON has no number for becomes a text") {
+TEST_CASE("infinities become texts, and what is no number null") {
   JsonWriter json;
   json.begin_array();
   json.value(std::numeric_limits<double>::quiet_NaN());
   json.value(std::numeric_limits<double>::infinity());
   json.value(-std::numeric_limits<double>::infinity());
   json.end_array();
-  REQUIRE(json.text() == "[\n  \"nan\",\n  \"inf\",\n  \"-inf\"\n]");
+  REQUIRE(json.text() == "[\n  null,\n  \"inf\",\n  \"-inf\"\n]");
 }
 
 TEST_CASE("texts are escaped") {

@@ -2,11 +2,11 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <array>
 #include <utility>
 #include <vector>
 
+#include "lapilli/core/symmetric_modes.hpp"
 #include "lapilli/mpm/surface/cut_shape.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
 
@@ -114,9 +114,9 @@ class CellOperators {
     if (factor.info() == Eigen::Success) {
       return factor.matrixU();
     }
-    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> modes(conductivity);
-    return modes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
-           modes.eigenvectors().transpose();
+    const SymmetricModes<Dim> modes = symmetric_modes<Dim>(conductivity);
+    return modes.eigenvalues.cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+           modes.eigenvectors.transpose();
   }
 
   static std::vector<QuadraturePoint<Dim>> gauss_points(const Cube<Dim>& cube) {

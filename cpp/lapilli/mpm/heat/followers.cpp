@@ -1,9 +1,9 @@
 #include "lapilli/mpm/heat/followers.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/core/symmetric_modes.hpp"
 #include "lapilli/geometry/node_block.hpp"
 
 namespace lapilli {
@@ -28,14 +28,14 @@ std::vector<double> fitted_weights(const std::vector<Vec<Dim>>& offset, bool lin
     pull.push_back(1.0 / (x.squaredNorm() * x.squaredNorm()));
     normal += pull.back() * basis.back() * basis.back().transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Normal> modes(normal);
-  const double least = 1e-9 * modes.eigenvalues().maxCoeff();
-  complete = modes.eigenvalues().minCoeff() > least;
+  const SymmetricModes<Dim + 1> modes = symmetric_modes<Dim + 1>(normal);
+  const double least = 1e-9 * modes.eigenvalues.maxCoeff();
+  complete = modes.eigenvalues.minCoeff() > least;
   Line at_zero = Line::Zero();
   for (int k = 0; k <= Dim; ++k) {
-    if (modes.eigenvalues()[k] > least) {
-      const Line mode = modes.eigenvectors().col(k);
-      at_zero += mode[0] / modes.eigenvalues()[k] * mode;
+    if (modes.eigenvalues[k] > least) {
+      const Line mode = modes.eigenvectors.col(k);
+      at_zero += mode[0] / modes.eigenvalues[k] * mode;
     }
   }
   std::vector<double> weights;

@@ -1,7 +1,8 @@
 #include "lapilli/mpm/heat/shared_cells.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
+
+#include "lapilli/core/symmetric_modes.hpp"
 
 namespace lapilli {
 
@@ -49,8 +50,7 @@ Mat<Dim> SharedCells<Dim>::own(std::size_t which) const {
 template <int Dim>
 Vec<Dim> SharedCells<Dim>::normal(std::size_t which, Index node, const Vec<Dim>& center) const {
   if (const auto found = interface_.find(node); found != interface_.end()) {
-    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> modes(found->second);
-    return modes.eigenvectors().col(Dim - 1);
+    return symmetric_modes<Dim>(found->second).eigenvectors.col(Dim - 1);
   }
   Vec3 at = Vec3::Zero();
   at.head<Dim>() = center;

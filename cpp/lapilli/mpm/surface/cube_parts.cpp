@@ -1,10 +1,11 @@
 #include "lapilli/mpm/surface/cube_parts.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "lapilli/core/symmetric_modes.hpp"
 
 namespace lapilli {
 namespace {
@@ -77,11 +78,11 @@ void add_convex(const Cube<3>& cube, std::span<const Cut<3>> cuts, QuadraturePoi
   }
   const Vec3 mean = first / volume_sum;
   const Mat3 spread = second / volume_sum - mean * mean.transpose();
-  const Eigen::SelfAdjointEigenSolver<Mat3> axes(spread);
-  const Vec3 width = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  const SymmetricModes<3> axes = symmetric_modes<3>(spread);
+  const Vec3 width = axes.eigenvalues.cwiseMax(0.0).cwiseSqrt();
   // Corners of a regular tetrahedron have mean 0 and unit second moments.
   for (const Vec3& corner : {Vec3(1, 1, 1), Vec3(1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, 1)}) {
-    const Vec3 at = axes.eigenvectors() * width.cwiseProduct(corner);
+    const Vec3 at = axes.eigenvectors * width.cwiseProduct(corner);
     points.push_back({from + mean + at, 0.25 * volume_sum});
   }
 }

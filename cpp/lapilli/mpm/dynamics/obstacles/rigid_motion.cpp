@@ -1,9 +1,10 @@
 #include "lapilli/mpm/dynamics/obstacles/rigid_motion.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "lapilli/core/symmetric_modes.hpp"
 
 namespace lapilli {
 namespace {
@@ -45,8 +46,7 @@ RigidMotion::RigidMotion(const Obstacle& obstacle, int dimension, const std::str
   free.angular_momentum = known.inertia * spin_;
   if (!is_held(obstacle, "rotation")) {
     free.inverse_inertia = inverse_of(known.inertia, dimension);
-    free.greatest_inverse_inertia =
-        Eigen::SelfAdjointEigenSolver<Mat3>(free.inverse_inertia).eigenvalues().maxCoeff();
+    free.greatest_inverse_inertia = symmetric_modes<3>(free.inverse_inertia).eigenvalues.maxCoeff();
   }
   free.force = obstacle.force;
   free.velocity_before = velocity_;
