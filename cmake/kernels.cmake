@@ -34,8 +34,11 @@ set(kernels
     mpm/dynamics/node_fields.cpp
     mpm/dynamics/obstacles/contact.cpp
     mpm/dynamics/obstacles/light_nodes.cpp
+    mpm/dynamics/obstacles/joint_contacts.cpp
     mpm/dynamics/obstacles/obstacle_contacts.cpp
+    mpm/dynamics/obstacles/obstacle_contacts_ends.cpp
     mpm/dynamics/obstacles/obstacle_contacts_near.cpp
+    mpm/dynamics/obstacles/obstacle_surface.cpp
     mpm/dynamics/obstacles/obstacles.cpp
     mpm/dynamics/plastic_heat.cpp
     mpm/dynamics/project_to_grid.cpp

@@ -62,14 +62,13 @@ def bearing(cells: int, b_bar: bool | None = None) -> np.ndarray:
 
 @pytest.mark.slow
 def test_a_strip_footing_on_clay_finds_its_limit_load():
-    """5.62 and 5.40 at 8 and 16 cells, the last half cell beside the strip bearing as well: first
-    order, 5.2 where both lead. A plateau: within 3 % from two fifths of the settlement on. Locked,
-    the load is 6.8 at 16 cells and still rises."""
+    """1.032 and 1.022 times Prandtl's with 8 and 16 cells, and a plateau: within 3 % from two
+    fifths of the settlement on. Locked, the load is 6.4 at 16 cells and still rises."""
     coarse, fine = bearing(8), bearing(16)
     for load in (coarse, fine):
         assert np.ptp(load) < 0.03 * load.mean()
-    assert fine.mean() == pytest.approx(LIMIT * (1 + 1 / 16), rel=0.03)
-    assert 2 * fine.mean() - coarse.mean() == pytest.approx(LIMIT, rel=0.03)
+    assert coarse.mean() == pytest.approx(LIMIT, rel=0.05)
+    assert fine.mean() == pytest.approx(LIMIT, rel=0.03)
     locked = bearing(16, b_bar=False)
-    assert locked.mean() > 1.25 * LIMIT
+    assert locked.mean() > 1.2 * LIMIT
     assert locked[-1] > 1.03 * locked[0]

@@ -92,6 +92,45 @@ Vec<Dim> improve(Contact<Dim>& contact, double friction, const AxisArrays<Dim>& 
   return contact.impulse() - before;
 }
 
+/// The same of several that bear one traction.
+template <int Dim>
+void improve_together(std::vector<Contact<Dim>>& contacts, const std::vector<std::size_t>& members,
+                      double friction, const AxisArrays<Dim>& velocity,
+                      std::vector<Vec<Dim>>& change) {
+  double push = 0.0, faces = 0.0, gain = 0.0, inverse = 0.0, limit = 0.0;
+  Vec<Dim> drag = Vec<Dim>::Zero(), slip = Vec<Dim>::Zero(), normal = Vec<Dim>::Zero();
+  for (const std::size_t k : members) {
+    Contact<Dim>& contact = contacts[k];
+    change[k] = -contact.impulse();
+    const Vec<Dim> relative = contact.at_foot(velocity) - contact.wall;
+    const double across = relative.dot(contact.normal);
+    push += contact.push;
+    drag += contact.drag;
+    faces += contact.face;
+    gain += contact.face * (contact.bound - across);
+    slip += contact.face * (relative - across * contact.normal);
+    normal += contact.face * contact.normal;
+    inverse += contact.face * contact.face / contact.mass;
+  }
+  push = std::max(0.0, push / faces + gain / inverse);
+  drag = drag / faces - slip / inverse;
+  normal.normalize();
+  drag -= drag.dot(normal) * normal;
+  for (const std::size_t k : members) {
+    Contact<Dim>& contact = contacts[k];
+    contact.push = push * contact.face;
+    limit += contact.drag_limit(friction);
+  }
+  if (const double size = faces * drag.norm(); size > limit) {
+    drag *= limit / size;
+  }
+  for (const std::size_t k : members) {
+    Contact<Dim>& contact = contacts[k];
+    contact.drag = contact.face * drag;
+    change[k] += contact.impulse();
+  }
+}
+
 /// Add impulses at the feet to both sides.
 template <int Dim, class ImpulseOf>
 void give(std::vector<Contact<Dim>>& contacts, const double* mass, const AxisArrays<Dim>& velocity,
@@ -113,11 +152,18 @@ void begin_contacts(std::vector<Contact<Dim>>& contacts, const double* mass,
 }
 
 template <int Dim>
-void sweep_contacts(std::vector<Contact<Dim>>& contacts, double friction, const double* mass,
-                    const AxisArrays<Dim>& velocity, RigidMotion& motion) {
+void sweep_contacts(std::vector<Contact<Dim>>& contacts, const JointContacts& joint,
+                    double friction, const double* mass, const AxisArrays<Dim>& velocity,
+                    RigidMotion& motion) {
   std::vector<Vec<Dim>> change(contacts.size());
-  parallel_for(static_cast<Index>(contacts.size()),
-               [&](Index k) { change[k] = improve(contacts[k], friction, velocity); });
+  parallel_for(static_cast<Index>(contacts.size()), [&](Index k) {
+    if (!contacts[k].joint) {
+      change[k] = improve(contacts[k], friction, velocity);
+    }
+  });
+  for (const auto& members : joint) {
+    improve_together(contacts, members, friction, velocity, change);
+  }
   give(contacts, mass, velocity, motion, [&](std::size_t k) { return change[k]; });
 }
 
@@ -139,8 +185,8 @@ void match_contacts(const std::vector<Contact<Dim>>& contacts, const double* mas
 #define LAPILLI_INSTANTIATE(Dim)                                                                 \
   template void begin_contacts<Dim>(std::vector<Contact<Dim>>&, const double*,                   \
                                     const AxisArrays<Dim>&, RigidMotion&, std::vector<double>&); \
-  template void sweep_contacts<Dim>(std::vector<Contact<Dim>>&, double, const double*,           \
-                                    const AxisArrays<Dim>&, RigidMotion&);                       \
+  template void sweep_contacts<Dim>(std::vector<Contact<Dim>>&, const JointContacts&, double,    \
+                                    const double*, const AxisArrays<Dim>&, RigidMotion&);        \
   template void match_contacts<Dim>(const std::vector<Contact<Dim>>&, const double*,             \
                                     const AxisArrays<Dim>&);
 LAPILLI_INSTANTIATE(2)

@@ -18,10 +18,13 @@ struct Contact {
 
   Index row = 0;                         // of the point
   std::size_t nearest = 0;               // of a light node: the contact whose friction it adds to
+  double face = 0.0;                     // m^(Dim-1), of one of several that bear one traction
+  bool joint = false;                    // whether it is one of these
   Vec<Dim> foot, normal, wall;           // m; out of the obstacle; its velocity there, m/s
   double bound = 0.0;                    // m/s, least normal speed that leaves an open gap open
   double grip = 0.0;                     // N s that adhesion bears in this step
   bool bonded = false;                   // it cannot part, and may pull
+  bool on_edge = false;                  // of a sharp edge, which no face lies along
   int count = 0;                         // of nodes
   Index node[corners];                   //
   double weight[corners];                // linear functions at the foot; their sum is 1
@@ -43,10 +46,10 @@ struct Contact {
   }
   /// N s, that it bears along the surface.
   double drag_limit(double friction) const {
-    const double bears = felt();
-    if (bonded && std::isinf(friction)) {
-      return friction;
+    if (std::isinf(friction)) {  // of what has parted nothing is left
+      return bonded || (!on_edge && push + beside > 0.0) ? friction : grip;
     }
+    const double bears = felt();
     return bears > 0.0 ? friction * bears + grip : bonded ? grip : 0.0;
   }
   /// N s, `push` or the nearest that it can give.
@@ -80,10 +83,14 @@ void begin_contacts(std::vector<Contact<Dim>>& contacts, const double* mass,
                     const AxisArrays<Dim>& velocity, RigidMotion& motion,
                     std::vector<double>& crowd);
 
+/// Contacts that bear one traction: their mean velocity is held.
+using JointContacts = std::vector<std::vector<std::size_t>>;
+
 /// One sweep at the present velocity. friction = infinity: no slip.
 template <int Dim>
-void sweep_contacts(std::vector<Contact<Dim>>& contacts, double friction, const double* mass,
-                    const AxisArrays<Dim>& velocity, RigidMotion& motion);
+void sweep_contacts(std::vector<Contact<Dim>>& contacts, const JointContacts& joint,
+                    double friction, const double* mass, const AxisArrays<Dim>& velocity,
+                    RigidMotion& motion);
 
 /// One sweep that gives a velocity that was projected again (MUSL) what the contacts that push left
 /// across the surface at their feet; along it too, blocks that friction holds would gain energy.

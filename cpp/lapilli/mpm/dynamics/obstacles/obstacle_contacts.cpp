@@ -123,7 +123,7 @@ void ObstacleContacts<Dim>::begin(DynamicsData<Dim>& data, double step,
 template <int Dim>
 void ObstacleContacts<Dim>::sweep(DynamicsData<Dim>& data) {
   const AxisArrays<Dim> velocity = data.nodes.velocities();
-  sweep_contacts<Dim>(contacts_, friction_, data.nodes.mass(), velocity, motion_);
+  sweep_contacts<Dim>(contacts_, joint_, friction_, data.nodes.mass(), velocity, motion_);
 }
 
 template <int Dim>

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <vector>
 
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
 #include "lapilli/mpm/dynamics/obstacles/contact.hpp"
+#include "lapilli/mpm/dynamics/obstacles/obstacle_surface.hpp"
 #include "lapilli/mpm/dynamics/obstacles/point_skins.hpp"
 #include "lapilli/mpm/dynamics/obstacles/rigid_motion.hpp"
 #include "lapilli/mpm/surface/surface_foot.hpp"
@@ -31,6 +33,9 @@ class ObstacleContacts {
   /// Contacts of the points where they are. No point has moved farther than `travelled` (m, since
   /// the start) plus `reach`.
   void find(const DynamicsData<Dim>& data, double step, double travelled, double reach);
+  /// Which of them bear one traction. `is_held`: whether another obstacle is at a place.
+  void join_ends(const DynamicsData<Dim>& data, double step, double travelled,
+                 const std::function<bool(const Vec3&)>& is_held);
   /// Then, for all obstacles in turn: what they meet at the solved velocity, before any of them has
   /// pushed; ...
   void meet(DynamicsData<Dim>& data);
@@ -57,6 +62,8 @@ class ObstacleContacts {
   const RigidMotion& motion() const { return motion_; }
   /// Largest speed of the surface at present, m/s.
   double speed() const { return motion_.speed(reach_); }
+  /// Whether its surface is at a place.
+  bool is_at(const Vec3& x, double size) const { return clearance(x) < 0.25 * size; }
 
   void save(Archive& archive, const std::string& prefix) const;
   void load(const Archive& archive, const std::string& prefix);
@@ -69,19 +76,20 @@ class ObstacleContacts {
   Index touching() const;                           // contacts that push
 
  private:
-  // Of a point: clearance, the step it belongs to, and its impulse (push, drag, felt).
-  static constexpr int stamp = 1, held = 2, kept = 4 + Dim;
+  // Of a point: clearance, the step it belongs to, its impulse (push, drag, felt), and the way
+  // until an edge may be near.
+  static constexpr int stamp = 1, held = 2, edgeless = 4 + Dim, kept = 5 + Dim;
   static constexpr double bond = 0.5;  // on top of the step, of one that cannot part
 
   void require_nothing_inside(const DynamicsData<Dim>& data) const;
   template <class Found, class Take>
   std::vector<Found> near(const DynamicsData<Dim>& data, const Take& take) const;
   double face_of(const DynamicsData<Dim>& data, Index row) const;
-  double clearance(const Vec3& x) const { return distance(obstacle_.shape, motion_.reference(x)); }
-  /// Of the obstacle, at the place nearest to one.
-  Vec3 normal_at(const Vec3& x) const {
-    return motion_.turned(gradient(obstacle_.shape, motion_.reference(x)));
-  }
+  ObstacleSurface surface() const { return {obstacle_.shape, motion_}; }
+  double clearance(const Vec3& x) const { return surface().gap(x); }
+  Vec3 normal_at(const Vec3& x) const { return surface().normal(x); }
+  bool may_be_near_edge(const DynamicsData<Dim>& data, const Contact<Dim>& contact,
+                        double travelled);
   bool place_on_nodes(const DynamicsData<Dim>& data, const Vec<Dim>& place,
                       Contact<Dim>& contact) const;
   Contact<Dim> contact_at(const DynamicsData<Dim>& data, Index row, const Vec3& x, double gap,
@@ -100,6 +108,7 @@ class ObstacleContacts {
   double friction_ = 0.0;  // infinite without slip
   PointArray memory_;
   std::vector<Contact<Dim>> contacts_, light_;
+  JointContacts joint_;
   double steps_ = 0.0, last_step_ = 0.0;
   Vec3 force_ = Vec3::Zero(), torque_ = Vec3::Zero(), impulse_ = Vec3::Zero();
   double work_ = 0.0;

@@ -74,6 +74,11 @@ void Obstacles<Dim>::push(DynamicsData<Dim>& data, const Step& step, double spee
   const double reach = step.size * (speed + this->speed());
   for (const auto& one : each_) {
     one->find(data, step.size, travelled_, reach);
+    one->join_ends(data, step.size, travelled_, [&](const Vec3& place) {
+      return std::ranges::any_of(each_, [&](const auto& other) {
+        return other != one && other->is_at(place, data.grid.cell_size());
+      });
+    });
     one->meet(data);
   }
   solve(data, step.size);
