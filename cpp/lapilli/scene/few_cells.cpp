@@ -13,8 +13,7 @@ namespace {
 
 // 147 drawn impacts of elastic disks, boxes and hexagons, each turned by 31 degrees, moved by a
 // part of a cell, and past the grid: one in ten changes its velocity and spin by more than 5 % of
-// the speed of impact at 8 to 14 cells, by 2 to 3 % at 14 to 24. It is neither the transfer nor the
-// step.
+// the speed of impact at 8 to 14 cells, by 2 to 3 % at 14 to 24, whatever the transfer.
 constexpr double enough = 8.0, enough_to_bounce = 27.5;  // cells
 constexpr double one_in_ten = 0.55;                      // changes by this over the cells across
 
