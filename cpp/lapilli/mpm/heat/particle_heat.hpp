@@ -91,7 +91,7 @@ class ParticleHeat final : public Physics,
   void compare_with_shapes();
   AreaRatios::Found areas_without_others(const std::vector<std::size_t>& bodies) const;
   void find_surface();
-  void conduct();
+  void conduct(const Step& step);
   void exchange_with_surroundings(const Step& step);
   void solve_nodes(const Step& now);
   void relax_points();
