@@ -30,6 +30,7 @@ set(kernels
     mpm/dynamics/cell_dilatation.cpp
     mpm/dynamics/contacts/body_contacts.cpp
     mpm/dynamics/contacts/shared_nodes.cpp
+    mpm/dynamics/contacts/shared_nodes_measure.cpp
     mpm/dynamics/damp_nodes.cpp
     mpm/dynamics/node_fields.cpp
     mpm/dynamics/obstacles/contact.cpp
@@ -57,6 +58,7 @@ set(kernels
     mpm/heat/heat_balance.cpp
     mpm/heat/heat_fields.cpp
     mpm/heat/heat_fields_contact.cpp
+    mpm/heat/heat_fields_beyond.cpp
     mpm/heat/nodal_enthalpy.cpp
     mpm/heat/nodal_range.cpp
     mpm/heat/obstacle_exchange.cpp
@@ -99,6 +101,7 @@ set(kernels
     peridynamics/peridynamic_flow_weight.cpp
     peridynamics/stress_force.cpp
     peridynamics/two_field_conduction.cpp
+    peridynamics/two_field_walls.cpp
     peridynamics/wall_velocity.cpp)
 
 # Transfer loops that may fuse multiply and add: a tenth faster, and still the same bytes for any

@@ -59,6 +59,13 @@ inline constexpr NoteKind note_kinds[] = {
     {"heat.held-side-by-side",
      "Two temperatures are held side by side on a body whose conductivity varies.",
      "Let one end a cell before the other."},
+    {"heat.crossing",
+     "Conditions of different temperature meet on a surface: heat passes straight from one to the "
+     "other within less than a cell, and the heat of each alone is off.",
+     "Trust the sum of both; smaller cells there."},
+    {"heat.common-nodes",
+     "Bodies that conduct differently share nodes as they move: each face passes too much heat.",
+     "Smaller cells, or `contact = \"frictional\"` between them."},
     {"heat.slanted-interface",
      "A body touches one that conducts much better, at an angle to the grid.",
      "More cells across it, or an entry in `[[heat.contacts]]`."},

@@ -49,7 +49,8 @@ void TwoFieldConduction<Dim>::update() {
   for (Index i = 0; i < points_.size(); ++i) {
     const int wall = walls_.wall(i);
     const bool takes_part =
-        wall < 0 || (walls_.walls()[wall].settings.heat == WallHeat::temperature && first_layer(i));
+        wall < 0 || (walls_.walls()[wall].settings.heat == WallHeat::temperature &&
+                     (holds_on_face() || first_layer(i)));
     volume_[i] = takes_part ? points_.volume()[i] : 0.0;
   }
   // Next to walls a point that moves, or sees others move, may have few neighbours left.
@@ -59,84 +60,67 @@ void TwoFieldConduction<Dim>::update() {
   ordering_ = points_.ordering();
 }
 
+/// How much warmer point i sees its neighbour j, K.
 template <int Dim>
-void TwoFieldConduction<Dim>::share_fluxes() {
-  const double spacing = walls_.spacing();
-  const auto each_in_front = [&](const auto& visit) {
-    for (Index i = 0; i < points_.size(); ++i) {
-      for (Index bond = families_.wall_begin(i); walls_.wall(i) < 0 && bond < families_.end(i);
-           ++bond) {
+double TwoFieldConduction<Dim>::rise_to(Index i, Index j, std::span<const double> temperature,
+                                        const std::vector<WallState>& surface) const {
+  const int wall = walls_.wall(j);
+  return holds_on_face() && wall >= 0 ? rise_beyond(i, j, temperature, surface[wall].temperature)
+                                      : temperature[j] - temperature[i];
+}
+
+/// Eq. 29, as k grad T = -q.
+template <int Dim>
+std::vector<Vec<Dim>> TwoFieldConduction<Dim>::inward_fluxes(
+    std::span<const double> temperature, const std::vector<WallState>& surface) const {
+  std::vector<Vec<Dim>> flux(temperature.size(), Vec<Dim>::Zero());
+  for (Index i = 0; i < points_.size(); ++i) {
+    if (volume_[i] == 0.0 || (holds_on_face() && walls_.wall(i) >= 0)) {
+      continue;
+    }
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (Index bond = families_.begin(i); bond < families_.end(i); ++bond) {
+      if (operators_->weight(bond) != 0.0) {
         const Index j = families_.neighbour(bond);
-        if (!prescribes_flux(j) || !first_layer(j)) {
-          continue;
-        }
-        const Vec<Dim> y = points_.position<Dim>(i) - points_.position<Dim>(j);
-        const double ahead = Eigen::Map<const Vec<Dim>>(walls_.normal(j)).dot(y);
-        const double aside = std::sqrt(std::max(0.0, y.squaredNorm() - ahead * ahead)) / spacing;
-        // Points of a wall's corners have fluid across a diagonal alone, and no surface.
-        const bool faces = y.squaredNorm() < 1.69 * spacing * spacing;
-        if (faces && aside < 0.75 && ahead > 0.0 && ahead - walls_.depth(j) < spacing) {
-          visit(i, j, 1.0 - aside / 0.75);
-        }
+        sum += operators_->weight(bond) * rise_to(i, j, temperature, surface) *
+               (points_.position<Dim>(j) - points_.position<Dim>(i));
       }
     }
-  };
-  std::vector<double> all(static_cast<std::size_t>(points_.size()), 0.0);
-  each_in_front([&](Index, Index j, double weight) { all[j] += weight; });
-  std::vector<double> area(walls_.walls().size(), 0.0);
-  flux_shares_.clear();
-  each_in_front([&](Index i, Index j, double weight) {
-    const double share = weight / all[j] * points_.volume()[j] / spacing;
-    flux_shares_.push_back({static_cast<std::int32_t>(i), walls_.wall(j), share});
-    area[walls_.wall(j)] += share;
-  });
-  if (flux_area_.empty()) {
-    flux_area_ = area;
+    flux[i] = conductivity_ * operators_->inverse_shape(i) * sum;
   }
-  for (FluxShare& one : flux_shares_) {
-    one.area *= flux_area_[one.wall] / area[one.wall];
-  }
+  return flux;
 }
 
 template <int Dim>
 void TwoFieldConduction<Dim>::rates(const double* temperature,
                                     const std::vector<WallState>& surface, double* rate,
                                     std::vector<double>& from_walls) const {
-  const Index rows = points_.size();
-  const std::span<const double> values(temperature, static_cast<std::size_t>(rows));
-  const double k = conductivity_;
-  // Eq. 29, as k grad T = -q.
-  std::vector<Vec<Dim>> flux(static_cast<std::size_t>(rows), Vec<Dim>::Zero());
-  for (Index i = 0; i < rows; ++i) {
-    if (volume_[i] == 0.0) {
-      continue;
-    }
-    Vec<Dim> sum = Vec<Dim>::Zero();
-    for (Index bond = families_.begin(i); bond < families_.end(i); ++bond) {
-      const Index j = families_.neighbour(bond);
-      sum += operators_->weight(bond) * (values[j] - values[i]) *
-             (points_.position<Dim>(j) - points_.position<Dim>(i));
-    }
-    flux[i] = k * operators_->inverse_shape(i) * sum;
-  }
+  const std::span<const double> values(temperature, static_cast<std::size_t>(points_.size()));
+  const std::vector<Vec<Dim>> flux = inward_fluxes(values, surface);
   from_walls.assign(surface.size(), 0.0);
   const double zero_energy =
       settings_.laplacian == Laplacian::zero_energy ? settings_.zero_energy : 0.0;
-  for (Index i = 0; i < rows; ++i) {
+  for (Index i = 0; i < points_.size(); ++i) {
     rate[i] = 0.0;
     if (walls_.wall(i) >= 0) {
       continue;
     }
     const Vec<Dim> own = operators_->inverse_shape(i) * flux[i];
     for (Index bond = families_.begin(i); bond < families_.end(i); ++bond) {
+      if (operators_->weight(bond) == 0.0) {
+        continue;
+      }
+      // What lies beyond a face that holds its temperature is as the point before it.
       const Index j = families_.neighbour(bond);
+      const Index like = holds_on_face() && walls_.wall(j) >= 0 ? in_front(j, i) : j;
       const Vec<Dim> y = points_.position<Dim>(j) - points_.position<Dim>(i);
-      double heat = (own + operators_->inverse_shape(j) * flux[j]).dot(y);
+      double heat = (own + operators_->inverse_shape(like) * flux[like]).dot(y);
       if (zero_energy > 0.0) {
         const double scale =
-            0.5 * (operators_->inverse_shape(i).trace() + operators_->inverse_shape(j).trace());
+            0.5 * (operators_->inverse_shape(i).trace() + operators_->inverse_shape(like).trace());
         heat +=
-            zero_energy * scale * (k * (values[j] - values[i]) - 0.5 * (flux[i] + flux[j]).dot(y));
+            zero_energy * scale *
+            (conductivity_ * rise_to(i, j, values, surface) - 0.5 * (flux[i] + flux[like]).dot(y));
       }
       heat *= volume_[i] * operators_->weight(bond);
       rate[i] += heat;
@@ -150,62 +134,6 @@ void TwoFieldConduction<Dim>::rates(const double* temperature,
     rate[one.point] += heat;
     from_walls[one.wall] += heat;
   }
-}
-
-template <int Dim>
-void TwoFieldConduction<Dim>::wall_rows(const double* temperature,
-                                        const std::vector<WallState>& surface, double* flux,
-                                        double* area) const {
-  // The slope between the surface and the points next to it.
-  parallel_for(points_.size(), [&](Index i) {
-    flux[i] = area[i] = 0.0;
-    if (walls_.wall(i) >= 0) {
-      return;
-    }
-    for (Index bond = families_.wall_begin(i); bond < families_.end(i); ++bond) {
-      const Index j = families_.neighbour(bond);
-      if (operators_->weight(bond) == 0.0) {
-        continue;
-      }
-      const double ahead =
-          std::max(0.1 * walls_.spacing(),
-                   walls_.template distance<Dim>(points_.position().data() + i * Dim, j));
-      const double w = operators_->weight(bond);
-      flux[i] += w * conductivity_ * (surface[walls_.wall(j)].temperature - temperature[i]) / ahead;
-      area[i] += w;
-    }
-    if (area[i] > 0.0) {
-      flux[i] /= area[i];
-      area[i] = points_.volume()[i] / walls_.spacing();
-    }
-  });
-  for (const FluxShare& one : flux_shares_) {
-    const double met = area[one.point] + one.area;
-    flux[one.point] = (flux[one.point] * area[one.point] + one.area * surface[one.wall].flux) / met;
-    area[one.point] = met;
-  }
-}
-
-template <int Dim>
-double TwoFieldConduction<Dim>::wall_area(int wall) const {
-  if (walls_.walls()[wall].settings.heat == WallHeat::flux) {
-    return flux_area_[static_cast<std::size_t>(wall)];
-  }
-  double area = 0.0;
-  std::vector<char> met(static_cast<std::size_t>(points_.size()), 0);
-  for (Index i = 0; i < points_.size(); ++i) {
-    for (Index bond = families_.wall_begin(i); bond < families_.end(i); ++bond) {
-      if (walls_.wall(i) < 0 && operators_->weight(bond) > 0.0) {
-        met[families_.neighbour(bond)] = 1;
-      }
-    }
-  }
-  for (Index j = 0; j < points_.size(); ++j) {
-    if (met[j] != 0 && walls_.wall(j) == wall) {
-      area += points_.volume()[j] / walls_.spacing();
-    }
-  }
-  return area;
 }
 
 template <int Dim>

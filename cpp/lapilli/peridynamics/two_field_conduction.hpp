@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 #include "lapilli/peridynamics/families.hpp"
 #include "lapilli/peridynamics/heat_exchange.hpp"
@@ -13,11 +14,12 @@ namespace lapilli {
 /// gradient, rate from the divergence, on request with the zero-energy term.
 ///
 /// Without that term the alternating field has no gradient and is not smoothed; kept for
-/// comparison. Walls with a temperature take part with their first layer, which holds that
-/// temperature; adiabatic walls not at all. A prescribed flux (section 4.3) is handed to the fluid
-/// points in front of each wall point, times its share of the wall's area, whose sum stays that of
-/// the start: set as the flux of the wall's own points it would bring in 2.2 times its heat, since
-/// a fluid point gains its own flux as well.
+/// comparison, as are walls that hold their temperature half a spacing behind the face. With it,
+/// the temperature holds on the face: a wall point shows a fluid point what lies beyond in line
+/// with the family of that point, and the flux that it has. Adiabatic walls take no part. A
+/// prescribed flux (section 4.3) is handed to the fluid points in front of each wall point, times
+/// its share of the wall's area, whose sum stays that of the start: set as the flux of the wall's
+/// own points it would bring in 2.2 times its heat, since a fluid point gains its own flux as well.
 template <int Dim>
 class TwoFieldConduction final : public HeatExchange {
  public:
@@ -46,6 +48,15 @@ class TwoFieldConduction final : public HeatExchange {
   };
 
   void share_fluxes();
+  bool holds_on_face() const { return settings_.laplacian == Laplacian::zero_energy; }
+  /// How much warmer a fluid point sees a wall point that holds a temperature, K.
+  double rise_beyond(Index point, Index wall_point, std::span<const double> temperature,
+                     double of_wall) const;
+  double rise_to(Index i, Index j, std::span<const double> temperature,
+                 const std::vector<WallState>& surface) const;
+  std::vector<Vec<Dim>> inward_fluxes(std::span<const double> temperature,
+                                      const std::vector<WallState>& surface) const;
+  Index in_front(Index wall_point, Index owner) const;
   bool prescribes_flux(Index wall_point) const {
     return walls_.walls()[walls_.wall(wall_point)].settings.heat == WallHeat::flux;
   }

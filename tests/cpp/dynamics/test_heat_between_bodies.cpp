@@ -61,8 +61,7 @@ std::unique_ptr<WarmRun> two_slabs(int cells, double degrees, double offset, dou
 }  // namespace
 
 TEST_CASE("two slabs exchange heat through their contact") {
-  // Found 1.6 % at most for one conductivity; where the contact is perfect and one conducts four
-  // times as well, 3.6 %, as through common nodes.
+  // Found 1.6 % at most.
   for (const auto& [degrees, offset] : {std::pair{0.0, 0.0}, {0.0, 0.4}, {23.0, 0.37}}) {
     for (const double conductivity : {1.0, 4.0}) {
       for (const double conductance : {0.3, 3.0, 30.0, perfect}) {
@@ -70,8 +69,7 @@ TEST_CASE("two slabs exchange heat through their contact") {
         auto run = two_slabs(10, degrees, offset, conductance, conductivity);
         run->until(0.1);
         const double wanted = lost(conductance, 0.1, conductivity);
-        const double bar = conductivity > 1.0 && conductance > 3.0 ? 0.04 : 0.02;
-        CHECK(1.0 - run->carried(0) == Approx(wanted).epsilon(bar));
+        CHECK(1.0 - run->carried(0) == Approx(wanted).epsilon(0.02));
         const Balance balance = run->balance();
         CHECK(std::abs(balance.gap()) < 1e-12 * balance.initial);
         CHECK(run->of_heat("heat from body 0 to body 1") ==
@@ -79,6 +77,27 @@ TEST_CASE("two slabs exchange heat through their contact") {
         const auto [least, most] = run->range();
         CHECK(least > -1e-12);
         CHECK(most < 1.0 + 1e-12);
+      }
+    }
+  }
+}
+
+TEST_CASE("one slab conducts much better than the one it touches") {
+  // Found 1.0 and 2.7 % at 10 cells, .5 and 1.3 % at 20; through common nodes 5 and 22, 3 and 12 %.
+  for (const auto& [conductivity, bar] : {std::pair{4.0, 0.015}, {100.0, 0.04}}) {
+    for (const auto& [degrees, offset] :
+         {std::pair{0.0, 0.2}, {0.0, 0.4}, {0.0, 0.6}, {0.0, 0.8}, {23.0, 0.37}, {45.0, 0.1}}) {
+      CAPTURE(degrees, offset, conductivity);
+      const double wanted = lost(perfect, 0.1, conductivity);
+      auto coarse = two_slabs(10, degrees, offset, perfect, conductivity);
+      coarse->until(0.1);
+      CHECK(1.0 - coarse->carried(0) == Approx(wanted).epsilon(bar));
+      CHECK(coarse->of_heat("heat from body 0 to body 1") ==
+            Approx(0.6 * (1.0 - coarse->carried(0))).epsilon(1e-3));
+      if (degrees > 30.0) {
+        auto fine = two_slabs(20, degrees, offset, perfect, conductivity);
+        fine->until(0.1);
+        CHECK(1.0 - fine->carried(0) == Approx(wanted).epsilon(0.5 * bar));
       }
     }
   }
@@ -95,7 +114,8 @@ TEST_CASE("no heat passes a gap between bodies that may part") {
 
 TEST_CASE("no contact conductance carries one body past the other") {
   // The transfer strays by itself after a jump: 4 % in five cells where one body conducts a hundred
-  // times as well, as through common nodes; .1 % in ten alike.
+  // times as well, as through common nodes; .1 % in ten alike. The poor conductor is as steep at
+  // the face as it is, no longer as the mean of both: a quarter more.
   const auto stray = [](WarmRun& run) {
     double farthest = 0.0;
     for (int k = 1; k <= 5; ++k) {
@@ -112,7 +132,7 @@ TEST_CASE("no contact conductance carries one body past the other") {
     for (const double conductance : {1e-8, 1e-3, 1.0, 1e3, 1e8, perfect}) {
       CAPTURE(cells, conductance, common);
       CHECK(stray(*two_slabs(cells, degrees, 0.2, conductance, conductivity)) <
-            1.1 * common + 2e-3);
+            1.3 * common + 2e-3);
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "lapilli/mpm/heat/drawn_gaps.hpp"
 #include "lapilli/mpm/heat/functions_in_time.hpp"
 #include "lapilli/mpm/heat/heat_balance.hpp"
+#include "lapilli/mpm/heat/meeting_conditions.hpp"
 #include "lapilli/mpm/heat/slanted_interfaces.hpp"
 #include "lapilli/mpm/heat/strong_ends.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
@@ -121,6 +122,9 @@ std::vector<Note> CutCellHeat<Dim>::warnings() const {
   std::ranges::copy(drawn_gaps(found_, problem_.bodies, problem_.grid.cell_size(), Dim),
                     std::back_inserter(all));
   std::ranges::copy(narrow_holds(found_, problem_.settings), std::back_inserter(all));
+  std::ranges::copy(crossing_heat(found_, problem_.bodies, problem_.settings, laws_.account(),
+                                  problem_.grid.cell_size(), time_),
+                    std::back_inserter(all));
   for (const Solved& one : solved_) {
     std::ranges::copy(bridged_gaps(problem_, one.part), std::back_inserter(all));
   }

@@ -42,6 +42,7 @@ HeatFields<Dim>::HeatFields(const HeatProblem<Dim>& problem,
       touches_(std::move(touches)),
       body_count_(problem.bodies.size()) {
   find_pairs(problem);
+  find_conductivities(problem, coefficients);
 }
 
 /// Call body(number in the field, number in the grid), rows of a window in parallel.
@@ -88,9 +89,18 @@ void HeatFields<Dim>::project(const Points& points, const CellOrder<Dim>& order,
 }
 
 template <int Dim>
-void HeatFields<Dim>::conduct(const Points& points, const CellOrder<Dim>& order,
+void HeatFields<Dim>::conduct(const Points& points, const CellOrder<Dim>& order, const Step& step,
                               PointGridTransfer<Dim>& whole) {
+  find_beyond(step);
+  for (BeyondNode& beyond : beyond_) {
+    const double follows = following(beyond, nodes_.temperature);
+    beyond.apart = nodes_.temperature[beyond.node] - follows;
+    nodes_.temperature[beyond.node] = follows;
+  }
   nodes_.conduct(points, order);
+  for (const BeyondNode& beyond : beyond_) {
+    nodes_.temperature[beyond.node] += beyond.apart;
+  }
   for (int field = 0; field < fields_.count(); ++field) {
     for_each_node(field, [&](Index here, Index there) {
       if (nodes_.capacity[here] > 0.0) {

@@ -102,40 +102,50 @@ void HeatFields<Dim>::hold_outer_nodes(const std::vector<BodyTouch>& touches) {
   }
 }
 
-/// Taken at the end of the step, pair by pair: no conductance carries one past the other.
+template <int Dim>
+const typename HeatFields<Dim>::Pair& HeatFields<Dim>::pair_of(const BodyTouch& touch) const {
+  return *std::ranges::find_if(pairs_, [&](const Pair& one) {
+    return one.first == touch.first && one.second == touch.second;
+  });
+}
+
+/// One temperature at a node, but for a contact conductance. Taken at the end of the step, pair by
+/// pair: no conductance carries one past the other.
+template <int Dim>
+void HeatFields<Dim>::exchange_level(const BodyTouch& touch, const Step& step) {
+  Pair& pair = pairs_[static_cast<std::size_t>(&pair_of(touch) - pairs_.data())];
+  const Index a = fields_.node_in(touch.first, touch.node);
+  const Index b = fields_.node_in(touch.second, touch.node);
+  double resistance = 1.0 / nodes_.capacity[a] + 1.0 / nodes_.capacity[b];
+  if (const auto& given = pair.conductance) {
+    const double passes = given->mean(step.time, step.time + step.size) * touch.area * step.size;
+    if (!(passes > 0.0)) {
+      return;
+    }
+    resistance += 1.0 / passes;
+  }
+  const double apart =
+      nodes_.temperature[a] + nodes_.increment[a] - (nodes_.temperature[b] + nodes_.increment[b]);
+  const double heat = apart / resistance;
+  nodes_.increment[a] -= heat / nodes_.capacity[a];
+  nodes_.increment[b] += heat / nodes_.capacity[b];
+  pair.heat += heat;
+}
+
 template <int Dim>
 void HeatFields<Dim>::exchange(const Step& step) {
-  const std::vector<BodyTouch>& touches = touches_();
-  hold_outer_nodes(touches);
-  for (const BodyTouch& touch : touches) {
-    Pair& pair = *std::ranges::find_if(pairs_, [&](const Pair& one) {
-      return one.first == touch.first && one.second == touch.second;
-    });
-    const Index a = fields_.node_in(touch.first, touch.node);
-    const Index b = fields_.node_in(touch.second, touch.node);
-    if (a < 0 || b < 0 || !(nodes_.capacity[a] > 0.0) || !(nodes_.capacity[b] > 0.0)) {
-      continue;
-    }
-    double resistance = 1.0 / nodes_.capacity[a] + 1.0 / nodes_.capacity[b];
-    if (const auto& given = pair.conductance) {
-      const double passes = given->mean(step.time, step.time + step.size) * touch.area * step.size;
-      if (!(passes > 0.0)) {
-        continue;
-      }
-      resistance += 1.0 / passes;
-    }
-    const double apart =
-        nodes_.temperature[a] + nodes_.increment[a] - (nodes_.temperature[b] + nodes_.increment[b]);
-    const double heat = apart / resistance;
-    nodes_.increment[a] -= heat / nodes_.capacity[a];
-    nodes_.increment[b] += heat / nodes_.capacity[b];
-    pair.heat += heat;
+  hold_outer_nodes(touches_());
+  hand_to_leaders(step);
+  for (const BodyTouch* touch : level_) {
+    exchange_level(*touch, step);
   }
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                  \
-  template void HeatFields<Dim>::find_pairs(const HeatProblem<Dim>&);             \
-  template void HeatFields<Dim>::hold_outer_nodes(const std::vector<BodyTouch>&); \
+#define LAPILLI_INSTANTIATE(Dim)                                                                   \
+  template void HeatFields<Dim>::find_pairs(const HeatProblem<Dim>&);                              \
+  template void HeatFields<Dim>::hold_outer_nodes(const std::vector<BodyTouch>&);                  \
+  template void HeatFields<Dim>::exchange_level(const BodyTouch&, const Step&);                    \
+  template const typename HeatFields<Dim>::Pair& HeatFields<Dim>::pair_of(const BodyTouch&) const; \
   template void HeatFields<Dim>::exchange(const Step&);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

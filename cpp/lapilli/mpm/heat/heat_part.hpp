@@ -72,6 +72,14 @@ struct SurfaceFound {
     int held_beside = -1;  // another that holds the surface up to an end of this one
   };
   std::vector<Ends> ends;  // by condition
+
+  /// Where two conditions that hold the surface, or exchange with it, meet.
+  struct Meeting {
+    int first = 0, second = 0;
+    double length = 0.0;                                       // m^(dim-2)
+    double first_coefficient = 0.0, second_coefficient = 0.0;  // W/(m^2 K)
+  };
+  std::vector<Meeting> meetings;
 };
 
 /// Two bodies that touch with a resistance.

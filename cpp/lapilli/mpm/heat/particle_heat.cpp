@@ -138,7 +138,7 @@ void ParticleHeat<Dim>::take_step(const Step& step) {
   require_in_range();
   obstacles_.find(problem_, points_, coefficients_, grid_);
   find_surface();
-  conduct();
+  conduct(step);
   exchange_with_surroundings(step);
   solve_nodes(step);
   update_points(step);
@@ -228,9 +228,9 @@ void ParticleHeat<Dim>::find_surface() {
 }
 
 template <int Dim>
-void ParticleHeat<Dim>::conduct() {
+void ParticleHeat<Dim>::conduct(const Step& step) {
   if (fields_) {
-    fields_->conduct(points_, order_, grid_);
+    fields_->conduct(points_, order_, step, grid_);
   } else {
     grid_.conduct(points_, order_);
   }

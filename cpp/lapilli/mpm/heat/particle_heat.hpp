@@ -8,6 +8,7 @@
 #include "lapilli/core/says_model.hpp"
 #include "lapilli/core/self_heating.hpp"
 #include "lapilli/core/stores_in_points.hpp"
+#include "lapilli/core/warnings.hpp"
 #include "lapilli/mpm/heat/boundary_conditions.hpp"
 #include "lapilli/mpm/heat/heat_fields.hpp"
 #include "lapilli/mpm/heat/heat_problem.hpp"
@@ -33,7 +34,8 @@ template <int Dim>
 class ParticleHeat final : public Physics,
                            public HasSurface,
                            public SaysModel,
-                           public StoresInPoints {
+                           public StoresInPoints,
+                           public Warnings {
  public:
   ParticleHeat(Points& points, HeatProblem<Dim> problem);
 
@@ -46,6 +48,7 @@ class ParticleHeat final : public Physics,
   std::vector<double> stored_in(std::span<const Index> rows) const override;
   void release(std::span<const Index> rows) override;
   std::vector<std::pair<std::string, double>> diagnostics() const override;
+  std::vector<Note> warnings() const override;
   std::vector<std::string> modelled() const override;
   SurfaceView surface() const override { return laws_.surface(); }
   void save(Archive& archive) const override;
@@ -91,7 +94,7 @@ class ParticleHeat final : public Physics,
   void compare_with_shapes();
   AreaRatios::Found areas_without_others(const std::vector<std::size_t>& bodies) const;
   void find_surface();
-  void conduct();
+  void conduct(const Step& step);
   void exchange_with_surroundings(const Step& step);
   void solve_nodes(const Step& now);
   void relax_points();

@@ -1,8 +1,10 @@
 // When heat takes a step, and what it is between two.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "lapilli/core/parallel.hpp"
+#include "lapilli/mpm/heat/common_nodes.hpp"
 #include "lapilli/mpm/heat/functions_in_time.hpp"
 #include "lapilli/mpm/heat/particle_heat.hpp"
 #include "lapilli/mpm/heat/step_bound.hpp"
@@ -153,6 +155,15 @@ std::vector<std::string> ParticleHeat<Dim>::modelled() const {
   return all;
 }
 
+template <int Dim>
+std::vector<Note> ParticleHeat<Dim>::warnings() const {
+  std::vector<std::size_t> all(problem_.bodies.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  using Fields = std::vector<std::vector<std::size_t>>;
+  return common_nodes(fields_ ? fields_->bodies() : Fields{all}, problem_.bodies,
+                      problem_.grid.cell_size());
+}
+
 #define LAPILLI_INSTANTIATE(Dim)                                                  \
   template void ParticleHeat<Dim>::follow(SubCycle::Motion);                      \
   template void ParticleHeat<Dim>::separate(const NodeFields<Dim>&, FindTouches); \
@@ -164,6 +175,7 @@ std::vector<std::string> ParticleHeat<Dim>::modelled() const {
   template double ParticleHeat<Dim>::exchange_rate() const;                       \
   template std::vector<double> ParticleHeat<Dim>::supplied() const;               \
   template std::vector<double> ParticleHeat<Dim>::temperature_now() const;        \
+  template std::vector<Note> ParticleHeat<Dim>::warnings() const;                 \
   template std::vector<std::string> ParticleHeat<Dim>::modelled() const;
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapilli/core/note_kinds.hpp"
+#include "lapilli/mpm/heat/meeting_conditions.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
 
 namespace lapilli {
@@ -11,7 +12,8 @@ namespace {
 
 constexpr double held_reach = 0.19;    // cells
 constexpr double thin_reach = 0.31;    // behind the thinner layer of materials that vary
-constexpr double half_reach_at = 1.3;  // conductivities / cell
+constexpr double half_reach_at = 1.3;  // conductivities / cell, beside nobody
+constexpr double half_between = 9.5;   // the same beside another that is strong
 constexpr double weakest = 13.0;       // times that, and weaker: as drawn
 constexpr double most_lost = 0.5;      // of the surface of a condition
 
@@ -33,15 +35,22 @@ StrongEnds<Dim>::StrongEnds(const HeatProblem<Dim>& problem, std::size_t body,
   cell_ = divided && Dim > 1 ? problem.grid.cell_size() : 0.0;
 }
 
-/// How much longer a condition acts at an end, m.
+/// How much longer a condition acts at an end, beside another (none: below 0), m. Found on faces
+/// and disks for coefficients from 1 to 120 conductivities / cell, and held.
 template <int Dim>
-double StrongEnds<Dim>::reach(int law, const Vec<Dim>& normal) const {
-  if (law < 0 || !(coefficient_[static_cast<std::size_t>(law)] > 0.0)) {
+double StrongEnds<Dim>::reach(int law, int beside, const Vec<Dim>& normal) const {
+  const auto coefficient = [&](int one) {
+    return one < 0 ? 0.0 : coefficient_[static_cast<std::size_t>(one)];
+  };
+  if (!(coefficient(law) > 0.0)) {
     return 0.0;
   }
   const Mat<Dim> k = body_.material.conductivity.largest().template block<Dim>();
-  const double weak = half_reach_at * normal.dot(k * normal) /
-                      (problem_.grid.cell_size() * coefficient_[static_cast<std::size_t>(law)]);
+  const double unit = normal.dot(k * normal) / problem_.grid.cell_size();
+  const double strength =
+      coefficient(beside) > 0.0 ? 1.0 / (1.0 + unit / coefficient(beside)) : 0.0;
+  const double half = half_reach_at + (half_between - half_reach_at) * strength;
+  const double weak = half * unit / coefficient(law);
   const double held = weak == 0.0 && is_nonlinear(problem_) ? thin_reach : held_reach;
   return weak < weakest ? held * cell_ / (1.0 + weak) : 0.0;
 }
@@ -50,7 +59,7 @@ double StrongEnds<Dim>::reach(int law, const Vec<Dim>& normal) const {
 template <int Dim>
 std::pair<int, double> StrongEnds<Dim>::strip_of(int law, const SurfacePiece<Dim>& piece) {
   const Vec<Dim> middle = piece.middle();
-  const double own = reach(law, piece.normal);
+  const double own = reach(law, SurfaceDivision<Dim>::nobody, piece.normal);
   double size = 0.0;
   for (const Vec<Dim>& corner : piece.corners) {
     size = std::max(size, (corner - middle).norm());
@@ -66,7 +75,8 @@ std::pair<int, double> StrongEnds<Dim>::strip_of(int law, const SurfacePiece<Dim
         parts_[static_cast<std::size_t>(law)].held_beside = *other;
       }
       const bool takes = *other >= 0 && coefficient_[static_cast<std::size_t>(*other)] > 0.0;
-      return {takes ? *other : SurfaceDivision<Dim>::nobody, own - reach(*other, piece.normal)};
+      return {takes ? *other : SurfaceDivision<Dim>::nobody,
+              reach(law, *other, piece.normal) - reach(*other, law, piece.normal)};
     }
   }
   return {law, 0.0};
@@ -125,6 +135,7 @@ std::vector<std::vector<SurfacePiece<Dim>>> StrongEnds<Dim>::pieces(SurfaceFound
       }
     }
   }
+  found.meetings = find_meetings<Dim>(all, coefficient_, problem_.grid.cell_size());
   return all;
 }
 

@@ -34,7 +34,7 @@ class StrongEnds {
     int held_beside = -1;
   };
 
-  double reach(int law, const Vec<Dim>& normal) const;
+  double reach(int law, int beside, const Vec<Dim>& normal) const;
   std::pair<int, double> strip_of(int law, const SurfacePiece<Dim>& piece);
 
   const HeatProblem<Dim>& problem_;

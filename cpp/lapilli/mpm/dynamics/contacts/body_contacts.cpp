@@ -106,7 +106,10 @@ void BodyContacts<Dim>::find_touches(const DynamicsData<Dim>& data) {
     const auto [first, second] = groups_.pairs[pair];
     for (const SharedNode<Dim>& node : shared_.of(pair)) {
       if (node.touches || impulses_[&node - shared_.all().data()].push > 0.0) {
-        touches_.push_back({data.grid.node_index(node.at), first, second, node.face});
+        BodyTouch touch{data.grid.node_index(node.at), first, second, node.face};
+        touch.normal.template head<Dim>() = node.normal;
+        touch.beyond = node.beyond;
+        touches_.push_back(touch);
       }
     }
   }

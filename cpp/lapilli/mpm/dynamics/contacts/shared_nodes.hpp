@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lapilli/mpm/dynamics/contacts/node_neighbours.hpp"
+#include "lapilli/mpm/dynamics/contacts/surface_columns.hpp"
 #include "lapilli/mpm/dynamics/contacts/surface_depth.hpp"
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
 
@@ -16,6 +17,7 @@ struct SharedNode {
   std::array<int, Dim> at{};           // in the whole grid
   Vec<Dim> normal = Vec<Dim>::Zero();  // from the first to the second
   double gap = 0.0;                    // m, between their surfaces; below 0: overlap
+  double beyond = 0.0;                 // m, along the normal, of the face they have in common
   double area = 0.0;                   // m^(Dim-1) of the surface, its share
   double face = 0.0;                   // m^(Dim-1), the mean of both, but for ends of one
   bool touches = false;                // whether the gap is nothing: nodes beside one that presses
@@ -61,6 +63,8 @@ class SharedNodes {
                                    std::span<const SharedNode<Dim>> nodes) const;
   void measure(const DynamicsData<Dim>& data, std::pair<int, int> fields,
                std::span<SharedNode<Dim>> nodes);
+  void find_faces(const Grid<Dim>& grid, const SurfaceColumns<Dim>& columns,
+                  std::span<SharedNode<Dim>> nodes);
 
   const double* of_slot(Index node) const { return sums_.data() + moments * slot_[node]; }
 
