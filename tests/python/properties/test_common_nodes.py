@@ -69,3 +69,29 @@ def test_common_nodes_are_said() -> None:
     assert codes(slabs(1.5, 2, 17.0, "bonded")) == []
     text = str(slabs(4.0, 2, 17.0, "bonded").warnings()[0])
     assert float(text.split("up to ")[1].split(" m")[0]) == pytest.approx(0.25 * 0.125)
+
+
+@pytest.mark.parametrize(("away", "told"), [(0.05, ["heat.common-nodes"]), (0.4, [])])
+def test_bodies_that_stay_apart_are_not_told(away: float, told: list[str]) -> None:
+    """A disk beside the inner corner of two bars: their boxes overlap, they need not touch."""
+    corner = lp.Union(
+        shapes=[
+            lp.Box(lower=(0.0, 0.0), upper=(2.0, 0.3)),
+            lp.Box(lower=(0.0, 0.0), upper=(0.3, 2.0)),
+        ]
+    )
+    disk = lp.Disk(center=(0.8 + away, 0.8 + away), radius=0.5)
+
+    def body(name: str, shape: lp.Shape, conductivity: float) -> lp.Body:
+        solid = lp.Elastic(density=1.0, youngs_modulus=100.0, poissons_ratio=0.3)
+        heat = lp.Thermal(density=1.0, specific_heat=1.0, conductivity=conductivity)
+        return lp.Body(name=name, shape=shape, material=[solid, heat], temperature=0.0)
+
+    scene = lp.Scene(
+        grid=lp.Grid(lower=(-1.0, -1.0), upper=(3.0, 3.0), cell=0.1),
+        bodies=[body("corner", corner, 1.0), body("disk", disk, 50.0)],
+        heat=lp.Heat(),
+        dynamics=lp.Dynamics(),
+        time=lp.Time(end=0.1),
+    )
+    assert codes(lp.Simulation(scene)) == told

@@ -123,3 +123,36 @@ def test_what_is_fine_enough_or_flows_does_not() -> None:
     sand = lp.MohrCoulomb(density=1000, youngs_modulus=1e6, poissons_ratio=0.3, friction_angle=30)
     assert said(bouncing(28.0, 0.0, RUBBER)) == []
     assert said(bouncing(11.0, 0.0, sand)) == []
+
+
+@pytest.mark.parametrize("cells", [3.0, 5.0])
+def test_what_rolls_says_what_holds_it_back(cells: float) -> None:
+    """On a level plane a disk of .5 m that rolls loses two thirds of the share said of g."""
+    radius, speed, end = 0.5, 1.0, 0.5
+    cell = radius / cells
+    scene = lp.Scene(
+        grid=lp.Grid(lower=(-1.0, -0.5), upper=(2.0, 1.5), cell=cell),
+        bodies=[
+            lp.Body(
+                shape=lp.Disk(center=(0.013, radius), radius=radius),
+                material=lp.Elastic(density=1000, youngs_modulus=1e8, poissons_ratio=0.3),
+                velocity=(speed, 0.0),
+                spin=(-speed / radius,),
+            )
+        ],
+        dynamics=lp.Dynamics(
+            gravity=(0, -9.81),
+            obstacles=[
+                lp.Obstacle(
+                    shape=lp.HalfSpace(point=(0.0, 0.0), normal=(0, 1)),
+                    contact="frictional",
+                    friction=0.6,
+                )
+            ],
+        ),
+        time=lp.Time(end=end),
+    )
+    (note,) = said(scene)
+    held = float(note.split("slower than a round body, and ")[1].split()[0]) / 100
+    lost = 1.0 - bounce(scene)[0] / speed
+    assert lost == pytest.approx(2 / 3 * held * 9.81 * end / speed, rel=0.6)

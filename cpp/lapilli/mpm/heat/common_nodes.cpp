@@ -1,6 +1,7 @@
 #include "lapilli/mpm/heat/common_nodes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lapilli/core/note_kinds.hpp"
@@ -13,13 +14,37 @@ namespace {
 constexpr double least_contrast = 2.0;
 constexpr double reach = 1.5;  // cells, within which bodies share nodes
 
-bool come_near(const HeatBody& one, const HeatBody& other, double way) {
+/// Whether there is a place from which both are this near together, of those a cell apart.
+bool come_near(const HeatBody& one, const HeatBody& other, double cell) {
   if (!one.shape || !other.shape) {
     return true;
   }
+  const double way = reach * cell;
   const Bounds a = bounds(*one.shape), b = bounds(*other.shape);
-  return ((a.lower.array() - way <= b.upper.array()) && (b.lower.array() - way <= a.upper.array()))
-      .all();
+  const Vec3 lower = a.lower.cwiseMax(b.lower) - Vec3::Constant(way);
+  const Vec3 span = a.upper.cwiseMin(b.upper) + Vec3::Constant(way) - lower;
+  if (span.minCoeff() < 0.0) {
+    return false;
+  }
+  Vec3 from = Vec3::Zero();
+  std::array<Index, 3> count{1, 1, 1};  // along axes without an end: the third of a plane
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::isfinite(span[axis])) {
+      from[axis] = lower[axis];
+      count[static_cast<std::size_t>(axis)] = static_cast<Index>(span[axis] / cell) + 2;
+    }
+  }
+  for (Index k = 0; k < count[0] * count[1] * count[2]; ++k) {
+    const Index steps[] = {k % count[0], k / count[0] % count[1], k / count[0] / count[1]};
+    const Vec3 place =
+        from + cell * Vec3(static_cast<double>(steps[0]), static_cast<double>(steps[1]),
+                           static_cast<double>(steps[2]));
+    if (std::max(0.0, distance(*one.shape, place)) + std::max(0.0, distance(*other.shape, place)) <=
+        way) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -33,7 +58,7 @@ std::vector<Note> common_nodes(const std::vector<std::vector<std::size_t>>& toge
       for (const std::size_t b : field) {
         const double better = largest_conductivity(bodies[b].material) /
                               std::max(largest_conductivity(bodies[a].material), 1e-300);
-        if (better > contrast && come_near(bodies[a], bodies[b], reach * cell_size)) {
+        if (better > contrast && come_near(bodies[a], bodies[b], cell_size)) {
           contrast = better;
           poor = a;
           good = b;
