@@ -108,16 +108,15 @@ std::vector<Note> few_cells_of(const Scene& scene, const Points& points) {
     if (all[k].points == 0 || cells > least - 0.1) {
       continue;
     }
-    const std::string across =
-        message(name_or_number(scene.bodies[k].name, k), " is ", 0.1 * std::round(10.0 * cells),
-                " cells across: its place and angle on the grid may change ");
-    const std::string finer = message("compare with grid.cell = ", thickness / least, " or less");
-    notes.push_back(
-        bounces ? note("dynamics.few-cells", across,
-                       "its velocity and spin after an impact, in one of ten by more than ",
-                       std::round(100.0 * one_in_ten / cells), " % of the speed",
-                       of_rolling(scene, scene.bodies[k]), "; ", finer)
-                : note("dynamics.few-cells", across, "its motion by some percent; ", finer));
+    const std::string change =
+        bounces ? message("velocity and spin after an impact, in one of ten by more than ",
+                          std::round(100.0 * one_in_ten / cells), " % of the speed",
+                          of_rolling(scene, scene.bodies[k]))
+                : "motion by some percent";
+    notes.push_back(note("dynamics.few-cells", name_or_number(scene.bodies[k].name, k), " is ",
+                         0.1 * std::round(10.0 * cells),
+                         " cells across: its place and angle on the grid may change its ", change,
+                         "; compare with grid.cell = ", thickness / least, " or less"));
   }
   return notes;
 }

@@ -91,7 +91,7 @@ def test_bodies_that_stay_apart_are_not_told(away: float, told: list[str]) -> No
         grid=lp.Grid(lower=(-1.0, -1.0), upper=(3.0, 3.0), cell=0.1),
         bodies=[body("corner", corner, 1.0), body("disk", disk, 50.0)],
         heat=lp.Heat(),
-        dynamics=lp.Dynamics(),
+        dynamics=lp.Dynamics(contacts=[lp.BodyContact(contact="bonded")]),
         time=lp.Time(end=0.1),
     )
     assert codes(lp.Simulation(scene)) == told
