@@ -63,6 +63,9 @@ inline constexpr NoteKind note_kinds[] = {
      "Conditions of different temperature meet on a surface: heat passes straight from one to the "
      "other within less than a cell, and the heat of each alone is off.",
      "Trust the sum of both; smaller cells there."},
+    {"heat.unlike-contact",
+     "A body that moves touches one that conducts fifty times better, or more.",
+     "Smaller cells, so that heat is a few of them deep."},
     {"heat.common-nodes",
      "Bodies that conduct differently share nodes as they move: each face passes too much heat.",
      "Smaller cells, or `contact = \"frictional\"` between them."},

@@ -13,4 +13,8 @@ namespace lapilli {
 std::vector<Note> common_nodes(const std::vector<std::vector<std::size_t>>& together,
                                const std::vector<HeatBody>& bodies, double cell_size);
 
+/// The same of bodies in contact, with temperatures of their own: where one conducts much better.
+std::vector<Note> unlike_contacts(const std::vector<std::vector<std::size_t>>& together,
+                                  const std::vector<HeatBody>& bodies, double cell_size);
+
 }  // namespace lapilli

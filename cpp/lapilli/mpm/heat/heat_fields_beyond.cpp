@@ -8,6 +8,8 @@ namespace lapilli {
 namespace {
 
 constexpr int farthest_line = 3;     // cells, of inner nodes
+constexpr double behind = 0.5;       // cells, of inner nodes behind the face
+constexpr double most_share = 2.0;   // of the temperature across; the rest takes from inner nodes
 constexpr double least_biot = 2.0;   // conductance x cell / conductivity
 constexpr double light = 1e-2;       // of the capacity of the node across
 constexpr double least_share = 0.5;  // of its own capacity that a node keeps, whoever follows it
@@ -57,7 +59,7 @@ bool HeatFields<Dim>::find_inner(const BodyTouch& touch, BeyondNode& beyond, dou
     }
     beyond.inner_count = 0;
     double sum = 0.0;
-    bool all = line * grid_.cell_size() / most >= std::abs(touch.beyond);
+    bool all = (line / most - behind) * grid_.cell_size() >= std::abs(touch.beyond);
     for (int corner = 0; corner < (1 << Dim) && all; ++corner) {
       double weight = (corner >> main) % 2 == 0 ? 1.0 : 0.0;
       Index node = touch.node;
@@ -155,7 +157,7 @@ void HeatFields<Dim>::find_beyond(const Step& step) {
     if (const auto& given = pairs_[beyond.pair].conductance) {
       resistance += 1.0 / given->mean(step.time, step.time + step.size);
     }
-    beyond.share = reach / own / resistance;
+    beyond.share = std::min(most_share, reach / own / resistance);
     beyond_.push_back(beyond);
   }
   keep_capacities_positive();

@@ -160,8 +160,11 @@ std::vector<Note> ParticleHeat<Dim>::warnings() const {
   std::vector<std::size_t> all(problem_.bodies.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   using Fields = std::vector<std::vector<std::size_t>>;
-  return common_nodes(fields_ ? fields_->bodies() : Fields{all}, problem_.bodies,
-                      problem_.grid.cell_size());
+  const Fields together = fields_ ? fields_->bodies() : Fields{all};
+  const double cell = problem_.grid.cell_size();
+  std::vector<Note> notes = common_nodes(together, problem_.bodies, cell);
+  std::ranges::copy(unlike_contacts(together, problem_.bodies, cell), std::back_inserter(notes));
+  return notes;
 }
 
 #define LAPILLI_INSTANTIATE(Dim)                                                  \
