@@ -3,8 +3,10 @@ wherever it ends in a cell, at every angle, however stiff the clay is and howeve
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,45 +14,30 @@ import pytest
 
 import lapilli as lp
 
-PRANDTL = np.pi + 2
+sys.path.insert(0, str(Path(__file__).parent))
+from clay_strip import PRANDTL, ClayStrip
+
+sys.path.pop(0)
+
 WIDTH, DEPTH = 2.0, 1.25  # of the ground, in widths of the strip
 SIDES = ("lower", "upper")
 
 
 @dataclass
-class Strip:
-    cells: int = 8  # of the grid, over its width
-    edge: float = 0.0  # cells, by which its half width is larger than a half
-    degrees: float = 0.0
-    by: tuple[float, float] = (0.0, 0.0)  # cells
-    settlement: float = 0.012  # over its width
-    stiffness: float = 3000.0  # Young's modulus over the cohesion
-    speed: float = 5e-4  # over the root of the stiffness and the density
+class Strip(ClayStrip):
+    settlement: float = 0.012
+    stiffness: float = 3000.0
     material: str = "mohr_coulomb"
+    speed: float = 5e-4  # over the root of the stiffness and the density
     contact: str = "no_slip"
     of_two: bool = False  # obstacles side by side
-
-    def at(self, places: Any) -> np.ndarray:
-        angle = np.radians(self.degrees)
-        turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
-        return np.asarray(places, dtype=float) @ turn.T + np.array(self.by) / self.cells
 
     def along(self, *direction: float) -> tuple[float, ...]:
         return tuple((self.at([direction]) - self.at([[0, 0]]))[0].tolist())
 
     @property
-    def half(self) -> float:
-        return 0.5 + self.edge / self.cells
-
-    @property
     def end(self) -> float:
         return 1.05 * self.settlement / (self.speed * np.sqrt(self.stiffness))
-
-    def clay(self) -> lp.VonMises | lp.MohrCoulomb:
-        common = {"density": 1.0, "youngs_modulus": self.stiffness, "poissons_ratio": 0.45}
-        if self.material == "von_mises":
-            return lp.VonMises(**common, yield_stress=float(np.sqrt(3)))
-        return lp.MohrCoulomb(**common, friction_angle=0.0, cohesion=1.0)
 
     def walls(self) -> dict[str, list[Any]]:
         """Symmetry, side and base of the ground."""

@@ -3,7 +3,9 @@ it ends in a cell, however far it has sunk and however stiff the clay is before 
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,49 +13,24 @@ import pytest
 
 import lapilli as lp
 
-PRANDTL = np.pi + 2
+sys.path.insert(0, str(Path(__file__).parent))
+from clay_strip import PRANDTL, ClayStrip
+
+sys.path.pop(0)
+
 WIDTH, DEPTH = 2.5, 1.5  # of the ground, in widths of the strip
 
 
 @dataclass
-class Strip:
-    cells: int = 8  # of the grid, over its width
-    edge: float = 0.0  # cells, by which its half width is larger than a half
-    degrees: float = 0.0
-    by: tuple[float, float] = (0.0, 0.0)  # cells
-    settlement: float = 0.015  # over its width
-    stiffness: float = 1000.0  # Young's modulus over the cohesion
-    material: str = "von_mises"
-    metre: float = 1.0  # width of the strip
-    pascal: float = 1.0  # cohesion
+class Strip(ClayStrip):
     more: dict[str, Any] = field(default_factory=dict)
-
-    def at(self, places: Any) -> list[list[float]]:
-        angle = np.radians(self.degrees)
-        turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
-        there = np.asarray(places, dtype=float) @ turn.T + np.array(self.by) / self.cells
-        return (self.metre * there).tolist()  # type: ignore[no-any-return]
-
-    @property
-    def half(self) -> float:
-        return 0.5 + self.edge / self.cells
-
-    def clay(self) -> lp.VonMises | lp.MohrCoulomb:
-        common = {
-            "density": 1.0,
-            "youngs_modulus": self.stiffness * self.pascal,
-            "poissons_ratio": 0.45,
-        }
-        if self.material == "von_mises":
-            return lp.VonMises(**common, yield_stress=float(np.sqrt(3) * self.pascal))
-        return lp.MohrCoulomb(**common, friction_angle=0.0, cohesion=self.pascal)
 
     def scene(self, steps: int = 12) -> lp.Scene:
         """Half of it, beside its plane of symmetry."""
-        corners = self.at([[0, 0], [WIDTH, 0], [WIDTH, DEPTH], [0, DEPTH]])
+        corners = self.at([[0, 0], [WIDTH, 0], [WIDTH, DEPTH], [0, DEPTH]]).tolist()
         a, b, c, d = corners
-        down = np.array(self.at([[0, -self.settlement]])[0]) - np.array(self.at([[0, 0]])[0])
-        edge, middle = self.at([[self.half, DEPTH], [0, DEPTH]])
+        down = (self.at([[0, -self.settlement]]) - self.at([[0, 0]]))[0]
+        edge, middle = self.at([[self.half, DEPTH], [0, DEPTH]]).tolist()
         cell = self.metre / self.cells
         low, high = (np.array(corners).min(axis=0), np.array(corners).max(axis=0))
         lower = cell * np.floor(low / cell + 1e-9) - 2 * cell

@@ -79,7 +79,7 @@ class HeatFields {
   void hold_outer_nodes(const std::vector<BodyTouch>& touches);
   void exchange(const Step& step);
   void exchange_level(const BodyTouch& touch, const Step& step);
-  const Pair& pair_of(const BodyTouch& touch) const;
+  std::size_t pair_of(const BodyTouch& touch) const;
   // Nodes beyond faces.
   std::pair<double, double> conductivities(const BodyTouch& touch) const;
   bool slopes_differ(const BodyTouch& touch, const Step& step) const;

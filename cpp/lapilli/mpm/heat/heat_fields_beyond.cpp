@@ -1,6 +1,7 @@
 // Nodes that a body reaches beyond the face it shares with another.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lapilli/mpm/heat/heat_fields.hpp"
 
@@ -115,7 +116,7 @@ bool HeatFields<Dim>::slopes_differ(const BodyTouch& touch, const Step& step) co
   if (!(std::min(first, second) > 0.0) || std::abs(first / second - 1.0) < 1e-9) {
     return false;
   }
-  const auto& given = pair_of(touch).conductance;
+  const auto& given = pairs_[pair_of(touch)].conductance;
   return !given || given->mean(step.time, step.time + step.size) * grid_.cell_size() >
                        least_biot * std::min(first, second);
 }
@@ -140,7 +141,7 @@ void HeatFields<Dim>::find_beyond(const Step& step) {
     beyond.of_first = touch.beyond < 0.0;
     beyond.node = beyond.of_first ? a : b;
     beyond.across = beyond.of_first ? b : a;
-    beyond.pair = static_cast<std::size_t>(&pair_of(touch) - pairs_.data());
+    beyond.pair = pair_of(touch);
     is_beyond_[beyond.node] = 1;
     found.emplace_back(beyond, &touch);
   }
@@ -195,11 +196,15 @@ void HeatFields<Dim>::hand_to_leaders(const Step& step) {
   if (beyond_.empty()) {
     return;
   }
-  led_heat_.assign(nodes_.capacity.size(), 0.0);
-  for (const BeyondNode& beyond : beyond_) {
+  const auto heat_of = [&](const BeyondNode& beyond) {
     const double conducted = step.size * nodes_.rate[beyond.node];
     const double held =
         nodes_.capacity[beyond.node] * (nodes_.increment[beyond.node] + beyond.apart) - conducted;
+    return std::pair(conducted, held);
+  };
+  led_heat_.assign(nodes_.capacity.size(), 0.0);
+  for (const BeyondNode& beyond : beyond_) {
+    const auto [conducted, held] = heat_of(beyond);
     led_heat_[beyond.across] += conducted + beyond.share * held;
     for (int k = 0; k < beyond.inner_count; ++k) {
       led_heat_[beyond.inner[k]] += (1.0 - beyond.share) * beyond.weight[k] * held;
@@ -217,10 +222,9 @@ void HeatFields<Dim>::hand_to_leaders(const Step& step) {
     }
   }
   for (const BeyondNode& beyond : beyond_) {
-    const double conducted = step.size * nodes_.rate[beyond.node];
-    const double capacity = nodes_.capacity[beyond.node];
-    const double held = capacity * (nodes_.increment[beyond.node] + beyond.apart) - conducted;
-    const double passed = conducted + beyond.share * (held - capacity * rise[beyond.across]);
+    const auto [conducted, held] = heat_of(beyond);
+    const double passed =
+        conducted + beyond.share * (held - nodes_.capacity[beyond.node] * rise[beyond.across]);
     pairs_[beyond.pair].heat += beyond.of_first ? passed : -passed;
     rise[beyond.node] = following(beyond, rise) - beyond.apart;
   }

@@ -103,17 +103,18 @@ void HeatFields<Dim>::hold_outer_nodes(const std::vector<BodyTouch>& touches) {
 }
 
 template <int Dim>
-const typename HeatFields<Dim>::Pair& HeatFields<Dim>::pair_of(const BodyTouch& touch) const {
-  return *std::ranges::find_if(pairs_, [&](const Pair& one) {
+std::size_t HeatFields<Dim>::pair_of(const BodyTouch& touch) const {
+  const auto found = std::ranges::find_if(pairs_, [&](const Pair& one) {
     return one.first == touch.first && one.second == touch.second;
   });
+  return static_cast<std::size_t>(found - pairs_.begin());
 }
 
 /// One temperature at a node, but for a contact conductance. Taken at the end of the step, pair by
 /// pair: no conductance carries one past the other.
 template <int Dim>
 void HeatFields<Dim>::exchange_level(const BodyTouch& touch, const Step& step) {
-  Pair& pair = pairs_[static_cast<std::size_t>(&pair_of(touch) - pairs_.data())];
+  Pair& pair = pairs_[pair_of(touch)];
   const Index a = fields_.node_in(touch.first, touch.node);
   const Index b = fields_.node_in(touch.second, touch.node);
   double resistance = 1.0 / nodes_.capacity[a] + 1.0 / nodes_.capacity[b];
@@ -141,11 +142,11 @@ void HeatFields<Dim>::exchange(const Step& step) {
   }
 }
 
-#define LAPILLI_INSTANTIATE(Dim)                                                                   \
-  template void HeatFields<Dim>::find_pairs(const HeatProblem<Dim>&);                              \
-  template void HeatFields<Dim>::hold_outer_nodes(const std::vector<BodyTouch>&);                  \
-  template void HeatFields<Dim>::exchange_level(const BodyTouch&, const Step&);                    \
-  template const typename HeatFields<Dim>::Pair& HeatFields<Dim>::pair_of(const BodyTouch&) const; \
+#define LAPILLI_INSTANTIATE(Dim)                                                  \
+  template void HeatFields<Dim>::find_pairs(const HeatProblem<Dim>&);             \
+  template void HeatFields<Dim>::hold_outer_nodes(const std::vector<BodyTouch>&); \
+  template void HeatFields<Dim>::exchange_level(const BodyTouch&, const Step&);   \
+  template std::size_t HeatFields<Dim>::pair_of(const BodyTouch&) const;          \
   template void HeatFields<Dim>::exchange(const Step&);
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

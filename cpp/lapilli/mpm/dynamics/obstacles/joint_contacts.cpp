@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapilli/core/in_space.hpp"
+#include "lapilli/mpm/dynamics/obstacles/nodes_around.hpp"
 
 namespace lapilli {
 namespace {
@@ -11,32 +12,10 @@ namespace {
 /// kg, of the nodes around a place in the field of a point, by linear functions.
 template <int Dim>
 double mass_around(const DynamicsData<Dim>& data, Index row, const Vec3& place) {
-  const NodeField<Dim>& field = data.fields.of_body(data.points.body()[row]);
-  const Grid<Dim>& grid = field.grid;
-  double share[Dim];
-  Index base = field.offset;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const double at = (place[axis] - grid.origin()[axis]) * grid.inverse_cell_size();
-    const auto cell = static_cast<Index>(std::floor(at));
-    if (cell < 0 || cell + 1 >= grid.nodes(axis)) {
-      return 0.0;
-    }
-    share[axis] = at - static_cast<double>(cell);
-    base += cell * grid.node_stride(axis);
-  }
   double sum = 0.0;
-  for (int corner = 0; corner < Contact<Dim>::corners; ++corner) {
-    Index node = base;
-    double weight = 1.0;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const bool upper = (corner >> axis) & 1;
-      node += upper ? grid.node_stride(axis) : 0;
-      weight *= upper ? share[axis] : 1.0 - share[axis];
-    }
-    if (node >= data.nodes.first() && node < data.nodes.last()) {
-      sum += weight * data.nodes.mass()[node];
-    }
-  }
+  for_each_node_around<Dim>(data, row, place.head<Dim>(), [&](Index node, double weight) {
+    sum += weight * data.nodes.mass()[node];
+  });
   return sum;
 }
 

@@ -6,6 +6,7 @@
 #include "lapilli/core/in_space.hpp"
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/mpm/dynamics/obstacles/light_nodes.hpp"
+#include "lapilli/mpm/dynamics/obstacles/nodes_around.hpp"
 #include "lapilli/mpm/dynamics/obstacles/obstacle_contacts.hpp"
 #include "lapilli/mpm/dynamics/touching_gap.hpp"
 
@@ -16,36 +17,18 @@ namespace lapilli {
 template <int Dim>
 bool ObstacleContacts<Dim>::place_on_nodes(const DynamicsData<Dim>& data, const Vec<Dim>& place,
                                            Contact<Dim>& contact) const {
-  const NodeField<Dim>& field = data.fields.of_body(data.points.body()[contact.row]);
-  const Grid<Dim>& grid = field.grid;
-  const double* mass = data.nodes.mass();
-  double share[Dim];
-  Index base = field.offset;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const double at = (place[axis] - grid.origin()[axis]) * grid.inverse_cell_size();
-    const auto cell = static_cast<Index>(std::floor(at));
-    if (cell < 0 || cell + 1 >= grid.nodes(axis)) {
-      return false;
-    }
-    share[axis] = at - static_cast<double>(cell);
-    base += cell * grid.node_stride(axis);
-  }
   constexpr double least_weight = 1e-9, least_sum = 1e-3;
+  const double* mass = data.nodes.mass();
   double sum = 0.0, heaviest = 0.0;
-  for (int corner = 0; corner < Contact<Dim>::corners; ++corner) {
-    Index node = base;
-    double weight = 1.0;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const bool upper = (corner >> axis) & 1;
-      node += upper ? grid.node_stride(axis) : 0;
-      weight *= upper ? share[axis] : 1.0 - share[axis];
-    }
-    const bool touched = node >= data.nodes.first() && node < data.nodes.last();
-    if (touched && weight > least_weight && mass[node] > data.empty_node) {
+  const auto take = [&](Index node, double weight) {
+    if (weight > least_weight && mass[node] > data.empty_node) {
       contact.node[contact.count] = node;
       contact.weight[contact.count++] = weight;
       heaviest = std::max(heaviest, mass[node]);
     }
+  };
+  if (!for_each_node_around(data, contact.row, place, take)) {
+    return false;
   }
   for (int k = 0; k < contact.count; ++k) {
     contact.weight[k] *= std::min(1.0, mass[contact.node[k]] / (light_node * heaviest));
