@@ -32,6 +32,7 @@ set(kernels
     mpm/dynamics/contacts/shared_nodes.cpp
     mpm/dynamics/contacts/shared_nodes_measure.cpp
     mpm/dynamics/damp_nodes.cpp
+    mpm/dynamics/mean_free_strain.cpp
     mpm/dynamics/node_fields.cpp
     mpm/dynamics/obstacles/contact.cpp
     mpm/dynamics/obstacles/light_nodes.cpp

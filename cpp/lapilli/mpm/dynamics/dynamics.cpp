@@ -9,6 +9,7 @@
 #include "lapilli/mpm/dynamics/damp_nodes.hpp"
 #include "lapilli/mpm/dynamics/early_stops.hpp"
 #include "lapilli/mpm/dynamics/go_on.hpp"
+#include "lapilli/mpm/dynamics/mean_free_strain.hpp"
 #include "lapilli/mpm/dynamics/point_kernel.hpp"
 #include "lapilli/mpm/dynamics/project_to_grid.hpp"
 #include "lapilli/mpm/dynamics/stable_choice.hpp"
@@ -118,6 +119,9 @@ PointSums Dynamics<Dim>::move_points(double step) {
     if (data_.moves_with_mean) {
       take_mean_velocity(data_);
     }
+  }
+  if (data_.free_strain) {
+    average_free_strain(data_);
   }
   PointSums sums = update_points(data_, step);
   sums.kinetic += velocities.kinetic;

@@ -114,6 +114,7 @@ struct DynamicsData {
   PointArray* turned = nullptr;             // gradient of another physics that follows the points
   std::unique_ptr<PointArray> plastic;      // J dissipated since last taken, on demand
   std::unique_ptr<PointArray> free_strain;  // isotropic strain of the next step, on demand
+  LargeArray<double> cell_strain;           // its means over cells
   StateArrays states;                       // of the solids
   double empty_node = 0.0;                  // kg; what lighter nodes could move is lost in rounding
   bool moves_with_mean = false;  // of the velocities before and after a step, not with the latter
