@@ -29,16 +29,8 @@ LevelSet on_bodies(const std::vector<Shape>& bodies, double off) {
           }};
 }
 
-template <int Dim>
-bool holds_averaged(const Grid<Dim>& grid, const CellState<Dim>& state,
-                    const std::vector<Facet<Dim>>& facets) {
-  return std::any_of(facets.begin(), facets.end(), [&](const Facet<Dim>& facet) {
-    return state.mean.of_cell(grid.cell_index(facet.cell)) != nullptr;
-  });
-}
-
-/// Walls that go on beyond nearly incompressible bodies at rest would push where there is nothing:
-/// let their facets end with the bodies, where they lie on them.
+/// Walls that go on beyond bodies at rest would hold and push where there is nothing: let their
+/// facets end with the bodies, where they lie on them.
 template <int Dim, class Cut>
 void end_with_bodies(const std::vector<Shape>& bodies, std::vector<Facet<Dim>>& facets,
                      const Cut& cut, double cell_size) {
@@ -119,7 +111,7 @@ std::vector<Facet<Dim>> Boundary<Dim>::cut_walls(const Grid<Dim>& grid, CellStat
                              ": move it to the body's surface, or check on which side of it the "
                              "material is"));
     }
-    if (time == 0.0 && holds_averaged(grid, state, facets)) {
+    if (time == 0.0 && settings_.enforcement != Enforcement::literal) {
       end_with_bodies(
           bodies_, facets,
           [&](const LevelSet& on_a_body) {
