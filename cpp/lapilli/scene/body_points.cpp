@@ -23,13 +23,6 @@ int points_along_axis(const Body& body, int dimension) {
   return body.points_per_cell ? points_per_axis(*body.points_per_cell, dimension) : 2;
 }
 
-/// Implicit solvers want points that integrate cut cells exactly: the shape is filled where it
-/// stands, cell by cell of the grid.
-bool is_filled_in_place(const Scene& scene, const Body& body) {
-  return scene.quasi_static && body.shape && is_filled_exactly(scene, body) && !body.random &&
-         body.jitter == 0.0;
-}
-
 Vec3 extent(const Bounds& box, int dimension) {
   Vec3 size = Vec3::Zero();
   for (int axis = 0; axis < dimension; ++axis) {
@@ -189,6 +182,11 @@ bool finds_surface_by_points(const Scene& scene, const Body& body) {
 }
 
 }  // namespace
+
+bool is_filled_in_place(const Scene& scene, const Body& body) {
+  return scene.quasi_static && body.shape && is_filled_exactly(scene, body) && !body.random &&
+         body.jitter == 0.0;
+}
 
 Bounds grid_bounds(const Scene& scene) {
   Bounds bounds;

@@ -28,6 +28,10 @@ BodyLattice lattice_of(const Scene& scene, const Body& body);
 /// Whether the points of a body carry the volumes of their parts of its shape.
 bool is_filled_exactly(const Scene& scene, const Body& body);
 
+/// Whether the shape of a body is filled where it stands, cell by cell of the grid (`fill_cells`):
+/// implicit solvers want points that integrate cut cells exactly.
+bool is_filled_in_place(const Scene& scene, const Body& body);
+
 /// The points of one body, turned and moved to their places.
 FilledPoints fill_body(const Scene& scene, std::size_t body);
 

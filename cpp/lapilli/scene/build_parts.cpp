@@ -105,13 +105,15 @@ std::unique_ptr<Physics> heat_of(const Scene& scene, const Grid<Dim>& grid,
 
 std::unique_ptr<Physics> quasi_static_of(const Scene& scene, Points& points) {
   std::vector<Solid> materials;
+  std::vector<char> in_cells;
   for (const Body& body : scene.bodies) {
     materials.push_back(solids_in(body).front());
+    in_cells.push_back(is_filled_in_place(scene, body));
   }
   return at_place(scene, "quasi_static", [&] {
     return make_quasi_static(points, place(scene.grid.lower), place(scene.grid.upper),
                              scene.grid.cell, scene.grid.shape_function, std::move(materials),
-                             *scene.quasi_static, shapes_of(scene));
+                             *scene.quasi_static, shapes_of(scene), in_cells);
   });
 }
 

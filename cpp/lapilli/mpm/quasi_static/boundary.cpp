@@ -37,8 +37,16 @@ bool holds_averaged(const Grid<Dim>& grid, const CellState<Dim>& state,
   });
 }
 
-/// Walls that go on beyond nearly incompressible bodies at rest would push where there is nothing:
-/// let their facets end with the bodies, where they lie on them.
+/// Whether no wall ever moves, or pushes bodies, farther than points may go before a reset, m.
+bool walls_stay(const std::vector<SupportSettings>& walls, double far) {
+  const auto stays = [far](const Value& way) { return way.largest() < far && way.least() > -far; };
+  return std::ranges::all_of(walls, [&](const SupportSettings& wall) {
+    return stays(wall.advance) && std::ranges::all_of(wall.displacement, stays);
+  });
+}
+
+/// Walls that go on beyond bodies at rest would hold and push where there is nothing: let their
+/// facets end with the bodies, where they lie on them.
 template <int Dim, class Cut>
 void end_with_bodies(const std::vector<Shape>& bodies, std::vector<Facet<Dim>>& facets,
                      const Cut& cut, double cell_size) {
@@ -119,7 +127,9 @@ std::vector<Facet<Dim>> Boundary<Dim>::cut_walls(const Grid<Dim>& grid, CellStat
                              ": move it to the body's surface, or check on which side of it the "
                              "material is"));
     }
-    if (time == 0.0 && holds_averaged(grid, state, facets)) {
+    const bool ends = settings_.enforcement != Enforcement::literal &&
+                      walls_stay(settings_.supports, 0.1 * grid.cell_size());
+    if (time == 0.0 && (ends || holds_averaged(grid, state, facets))) {
       end_with_bodies(
           bodies_, facets,
           [&](const LevelSet& on_a_body) {

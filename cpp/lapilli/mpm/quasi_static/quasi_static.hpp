@@ -19,7 +19,7 @@
 namespace lapilli {
 
 // GIMP domains stay within these half-widths, in cells.
-inline constexpr double least_half_width = 0.02, largest_half_width = 0.499;
+inline constexpr double least_half_width = 1e-6, largest_half_width = 0.499;
 
 /// Quasi-static equilibrium of solid bodies by the implicit material point method, with walls
 /// that do not fit the grid (Cortis et al. 2018, corrected). One step of the clock is one load
@@ -30,12 +30,13 @@ template <int Dim>
 class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
  public:
   /// `materials` by body; `shapes` of all bodies at time 0, empty when they are not known:
-  /// tractions on the surface of a shape end where it leaves them. `points` must outlive the
-  /// physics, which moves them. Throws std::invalid_argument for settings that cannot be used and
-  /// for walls and tractions that meet no material.
+  /// walls and tractions on the surface of a shape end where it leaves them. `in_cells` by body:
+  /// whether its points stand for parts of single cells (`fill_cells`); empty: of none. `points`
+  /// must outlive the physics, which moves them. Throws std::invalid_argument for settings that
+  /// cannot be used and for walls and tractions that meet no material.
   QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFunction shape_function,
               const std::vector<Solid>& materials, QuasiStaticSettings settings,
-              std::vector<Shape> shapes = {});
+              std::vector<Shape> shapes = {}, const std::vector<char>& in_cells = {});
 
   std::string name() const override { return "quasi_static"; }
   StepLimit step_limit() const override;
@@ -68,7 +69,7 @@ class QuasiStatic final : public Physics, public WholeSteps, public Warnings {
   };
 
   void choose_schemes();
-  void start_half_widths();
+  void start_half_widths(const std::vector<char>& in_cells);
   bool is_reset_due() const;
   void reset_grid(double time);
   Loads<Dim> collect_loads(double to) const;
@@ -143,6 +144,7 @@ std::unique_ptr<Physics> make_quasi_static(Points& points, const Vec3& lower, co
                                            double cell, ShapeFunction shape_function,
                                            const std::vector<Solid>& materials,
                                            QuasiStaticSettings settings,
-                                           std::vector<Shape> shapes = {});
+                                           std::vector<Shape> shapes = {},
+                                           const std::vector<char>& in_cells = {});
 
 }  // namespace lapilli

@@ -13,7 +13,7 @@ namespace lapilli {
 template <int Dim>
 QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFunction shape_function,
                               const std::vector<Solid>& materials, QuasiStaticSettings settings,
-                              std::vector<Shape> shapes)
+                              std::vector<Shape> shapes, const std::vector<char>& in_cells)
     : points_(points),
       grid_(grid),
       settings_(std::move(settings)),
@@ -32,7 +32,7 @@ QuasiStatic<Dim>::QuasiStatic(Points& points, const Grid<Dim>& grid, ShapeFuncti
   std::copy_n(points.volume().data(), points.volume().size(), start_volume_.data());
   choose_schemes();
   if (shape_function == ShapeFunction::gimp) {
-    start_half_widths();
+    start_half_widths(in_cells);
   }
   boundary_.guard(grid_, points_, 0.0, guarded_.values());
   find_skin();
@@ -125,26 +125,35 @@ void QuasiStatic<Dim>::note_geometry() {
   }
 }
 
+/// Domains of points that stand for a part of one cell end at its faces: beyond them they would
+/// strain where their part of the body is not, and a uniform stress would be none.
 template <int Dim>
-void QuasiStatic<Dim>::start_half_widths() {
+void QuasiStatic<Dim>::start_half_widths(const std::vector<char>& in_cells) {
   half_width_ = std::make_unique<PointArray>(points_, Dim);
   const double h = grid_.cell_size();
   for (Index p = 0; p < points_.size(); ++p) {
-    const double width = 0.5 * std::pow(points_.volume()[p], 1.0 / Dim);
-    std::fill_n(half_width_->data() + Dim * p, Dim,
-                std::clamp(width, least_half_width * h, largest_half_width * h));
+    const double width = 0.5 * std::pow(points_.volume()[p], 1.0 / Dim) / h;
+    const Vec<Dim> at = grid_.local(points_.template position<Dim>(p));
+    const auto body = static_cast<std::size_t>(points_.body()[p]);
+    const bool in_cell = body < in_cells.size() && in_cells[body] != 0;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const double before = at[axis] - std::floor(at[axis]);
+      const double room = in_cell ? std::min(before, 1.0 - before) : largest_half_width;
+      (*half_width_)[Dim * p + axis] =
+          h * std::clamp(std::min(width, room), least_half_width, largest_half_width);
+    }
   }
 }
 
 #define LAPILLI_INSTANTIATE(Dim)                                                         \
   template QuasiStatic<Dim>::QuasiStatic(Points&, const Grid<Dim>&, ShapeFunction,       \
                                          const std::vector<Solid>&, QuasiStaticSettings, \
-                                         std::vector<Shape>);                            \
+                                         std::vector<Shape>, const std::vector<char>&);  \
   template void QuasiStatic<Dim>::choose_schemes();                                      \
   template void QuasiStatic<Dim>::choose_stiffness(bool);                                \
   template void QuasiStatic<Dim>::note_geometry();                                       \
   template void QuasiStatic<Dim>::find_skin();                                           \
-  template void QuasiStatic<Dim>::start_half_widths();
+  template void QuasiStatic<Dim>::start_half_widths(const std::vector<char>&);
 LAPILLI_INSTANTIATE(2)
 LAPILLI_INSTANTIATE(3)
 #undef LAPILLI_INSTANTIATE
@@ -152,17 +161,18 @@ LAPILLI_INSTANTIATE(3)
 std::unique_ptr<Physics> make_quasi_static(Points& points, const Vec3& lower, const Vec3& upper,
                                            double cell, ShapeFunction shape_function,
                                            const std::vector<Solid>& materials,
-                                           QuasiStaticSettings settings,
-                                           std::vector<Shape> shapes) {
+                                           QuasiStaticSettings settings, std::vector<Shape> shapes,
+                                           const std::vector<char>& in_cells) {
   if (points.dimension() == 3) {
     return std::make_unique<QuasiStatic<3>>(points, Grid<3>(lower, upper, cell), shape_function,
-                                            materials, std::move(settings), std::move(shapes));
+                                            materials, std::move(settings), std::move(shapes),
+                                            in_cells);
   }
   require(points.dimension() == 2, "quasi_static needs two or three dimensions, got ",
           points.dimension());
   return std::make_unique<QuasiStatic<2>>(points, Grid<2>(lower.head<2>(), upper.head<2>(), cell),
                                           shape_function, materials, std::move(settings),
-                                          std::move(shapes));
+                                          std::move(shapes), in_cells);
 }
 
 }  // namespace lapilli

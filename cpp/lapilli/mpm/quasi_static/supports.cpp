@@ -98,7 +98,10 @@ std::string in_words(const Part<Dim>& part, const Eigen::VectorXd& mode) {
   const Vec<Dim> shift = mode.head<Dim>();
   const Eigen::VectorXd spin = mode.tail(mode.size() - Dim);
   if (spin.norm() < 1e-6) {
-    return message("translation along ", text<Dim>(shift.normalized()));
+    Index most = 0;
+    shift.cwiseAbs().maxCoeff(&most);
+    const double sense = shift[most] < 0.0 ? -1.0 : 1.0;  // of a mode it is any
+    return message("translation along ", text<Dim>(sense * shift.normalized()));
   }
   if constexpr (Dim == 2) {
     const Vec<2> centre = part.middle() + part.size() * Vec<2>(-shift[1], shift[0]) / spin[0];
