@@ -64,6 +64,16 @@ def test_keys_of_nested_sections_stand_below_their_whole_path(
     assert "`[peridynamics.flow]`" in capsys.readouterr().out
 
 
+def test_keys_finds_kinds_where_they_are_written(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["keys", "bodies.material"]) == 0
+    found = capsys.readouterr().out
+    assert "`material elastic`" in found
+    assert "shape disk" not in found
+    assert main(["keys", "xyz"]) == 2
+    names = capsys.readouterr().err.partition("there is: ")[2].strip().split(", ")
+    assert len(names) == len(set(names)) > 20
+
+
 @pytest.mark.parametrize(
     ("words", "code", "says"),
     [

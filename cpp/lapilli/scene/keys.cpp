@@ -41,17 +41,26 @@ class KeyTables {
   std::string text(const std::string& section) const {
     std::string text;
     std::vector<std::string> names = {"history"};
+    const auto add_name = [&](const std::string& name) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) {
+        names.push_back(name);
+      }
+    };
+    const std::string last = section.substr(section.rfind('.') + 1);  // material of bodies.material
     for (std::size_t k = 0; k < tables_.size(); ++k) {
       std::string name = done_[k];
       std::erase_if(name, [](char letter) { return letter == '[' || letter == ']'; });
-      const bool is_inside = name.starts_with(section + ".") || name.starts_with(section + " ");
+      const bool is_inside = name.starts_with(section + ".") || name.starts_with(section + " ") ||
+                             name.starts_with(last + " ");
       const bool ends_so = kind_word(name) == section || name.ends_with("." + section);
       if (section.empty() || name == section || is_inside || ends_so) {
         text += tables_[k];
       }
-      names.push_back(name);
-      names.push_back(kind_word(name));
-      names.push_back(name.substr(0, name.find(' ')));
+      add_name(name);
+      if (k > 0 && done_[k].back() != ']') {  // of a kind: "shape annulus"
+        add_name(kind_word(name));
+        add_name(name.substr(0, name.find(' ')));
+      }
     }
     require(!text.empty(), text.empty() ? unknown_name("section", section, names) : "");
     return text;
