@@ -19,10 +19,6 @@ namespace {
 
 std::string body_path(std::size_t index) { return element_path("bodies", index); }
 
-int points_along_axis(const Body& body, int dimension) {
-  return body.points_per_cell ? points_per_axis(*body.points_per_cell, dimension) : 2;
-}
-
 /// Implicit solvers want points that integrate cut cells exactly: the shape is filled where it
 /// stands, cell by cell of the grid.
 bool is_filled_in_place(const Scene& scene, const Body& body) {
@@ -189,6 +185,10 @@ bool finds_surface_by_points(const Scene& scene, const Body& body) {
 }
 
 }  // namespace
+
+int points_along_axis(const Body& body, int dimension) {
+  return body.points_per_cell ? points_per_axis(*body.points_per_cell, dimension) : 2;
+}
 
 Bounds grid_bounds(const Scene& scene) {
   Bounds bounds;
