@@ -97,6 +97,12 @@ void take(std::optional<Shallow>& worst, const Depth& depth, const std::string& 
   }
 }
 
+/// Whether heat passes at all.
+bool differ(const Value& one, const Value& other) {
+  return one.is_function() || other.is_function() || one.least() != other.largest() ||
+         one.largest() != other.least();
+}
+
 std::string called(const Scene& scene, std::size_t body) {
   const std::string& name = scene.bodies[body].name;
   return message("bodies.", body, name.empty() ? std::string() : message(" (", name, ")"));
@@ -145,7 +151,7 @@ void look_at_obstacles(const Scene& scene, const Depth& depth, double conductivi
                        std::optional<Shallow>& worst) {
   for (std::size_t k = 0; scene.dynamics && k < scene.dynamics->obstacles.size(); ++k) {
     const Obstacle& one = scene.dynamics->obstacles[k];
-    if (!one.temperature) {
+    if (!one.temperature || !differ(*one.temperature, scene.bodies[depth.body].temperature)) {
       continue;
     }
     const double strength = one.conductance
@@ -178,8 +184,7 @@ void look_at_contacts(const Scene& scene, const Depth& depth, const Thermal& the
     const Body& other = scene.bodies[k];
     const auto* its = material_in<Thermal>(other);
     if (its == nullptr || other.temperature.is_function() ||
-        other.temperature.largest() == body.temperature.largest() ||
-        !may_touch(body, other, scene.grid.cell)) {
+        !differ(other.temperature, body.temperature) || !may_touch(body, other, scene.grid.cell)) {
       continue;
     }
     const double one = largest_conductivity(thermal), two = largest_conductivity(*its);
@@ -199,6 +204,9 @@ void look_at_walls(const Scene& scene, Depth depth, double conductivity,
   depth.cells = depth.metres / spacing;
   for (std::size_t k = 0; k < scene.peridynamics->walls.size(); ++k) {
     const FluidWallBody& wall = scene.peridynamics->walls[k];
+    if (!differ(wall.temperature, scene.bodies[depth.body].temperature)) {
+      continue;
+    }
     const bool holds = wall.heat == WallHeat::temperature;
     const double strength = holds ? std::numeric_limits<double>::infinity()
                             : wall.heat == WallHeat::convection
@@ -215,7 +223,7 @@ void look_at_walls(const Scene& scene, Depth depth, double conductivity,
 
 std::vector<Note> shallow_heat(const Scene& scene) {
   std::optional<Shallow> worst;
-  const bool by_walls = scene.peridynamics && scene.peridynamics->heat;
+  const bool by_walls = scene.peridynamics && scene.peridynamics->heat && !scene.peridynamics->flow;
   for (std::size_t k = 0; (scene.heat || by_walls) && k < scene.bodies.size(); ++k) {
     const auto* thermal = material_in<Thermal>(scene.bodies[k]);
     if (thermal == nullptr || !(largest_conductivity(*thermal) > 0.0)) {

@@ -13,8 +13,9 @@ namespace {
 /// so much (corners of a body may lose one).
 constexpr double most_scale = 2.0, most_in_all = 1.1;
 constexpr int passes = 4;
-/// Nodes further in lie about along the normal and have no free surface to speak of.
-constexpr double steepest = 0.7, most_further_in = 0.3;
+/// Nodes further in lie about along the normal and have no free surface to speak of. Nodes so many
+/// cells deep have whole boxes beyond them.
+constexpr double steepest = 0.2, most_further_in = 0.3, deep_enough = 0.6;
 
 /// One after the other; 0 where one of them insulates.
 double in_series(double one, double other) {
@@ -118,6 +119,10 @@ double further_in(const Grid<Dim>& grid, const std::vector<Seen<Dim>>& seen,
       continue;
     }
     const Vec<Dim> normal = one.normal / length;
+    const Vec<Dim> from = grid.node_position(one.node) - one.place / one.area;
+    if (from.dot(normal) > deep_enough * grid.cell_size()) {
+      continue;
+    }
     around_node(grid, one.node, [&](Index node, const Vec<Dim>& way) {
       const double area = -area_vector[node].dot(normal);
       const bool is_known = std::ranges::binary_search(seen, node, {}, &Seen<Dim>::node);
