@@ -19,10 +19,6 @@ namespace {
 
 std::string body_path(std::size_t index) { return element_path("bodies", index); }
 
-int points_along_axis(const Body& body, int dimension) {
-  return body.points_per_cell ? points_per_axis(*body.points_per_cell, dimension) : 2;
-}
-
 Vec3 extent(const Bounds& box, int dimension) {
   Vec3 size = Vec3::Zero();
   for (int axis = 0; axis < dimension; ++axis) {
@@ -182,6 +178,10 @@ bool finds_surface_by_points(const Scene& scene, const Body& body) {
 }
 
 }  // namespace
+
+int points_along_axis(const Body& body, int dimension) {
+  return body.points_per_cell ? points_per_axis(*body.points_per_cell, dimension) : 2;
+}
 
 bool is_filled_in_place(const Scene& scene, const Body& body) {
   return scene.quasi_static && body.shape && is_filled_exactly(scene, body) && !body.random &&

@@ -18,6 +18,9 @@ Bounds grid_bounds(const Scene& scene);
 /// not given by a shape.
 std::optional<Shape> placed_shape(const Body& body);
 
+/// The points of a full cell along one axis.
+int points_along_axis(const Body& body, int dimension);
+
 /// The lattice that fills a body in the frame of its shape, and how far it may reach.
 struct BodyLattice {
   Lattice lattice;

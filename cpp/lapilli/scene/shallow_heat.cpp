@@ -2,29 +2,121 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/geometry/shape.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
+#include "lapilli/scene/body_points.hpp"
+#include "lapilli/scene/validate_heat.hpp"
 
 namespace lapilli {
 namespace {
 
-// Heat that a plane surface has taken up, against its series, at four angles and places. With a
-// coefficient of .3, 1, 3, 10 conductivities / cell up to 4, 15, 38, 55 % too much where heat is .3
-// cells deep; 2 to 4 % at 1.2. Held: -40 % at .1, +15 % at .3, 2 % at .6. With .1: 1 %.
-constexpr double weakest = 0.25, held_from = 100.0;  // conductivities / cell
-constexpr double held_depth = 0.55, deep = 1.2;      // cells
-constexpr double least_warming = 0.03;               // of the way to the surroundings, about
+// All sizes are of the heat taken up, against series, at four angles and places or more.
+constexpr double held_from = 100.0;             // conductivities / cell
+constexpr double least_warming = 0.03;          // of the way to the surroundings, about
+constexpr double told = 1.0, most_told = 60.0;  // percent
 
-struct Strongest {
-  std::size_t law = 0;
-  double strength = 0.0;  // conductivities / cell
+/// What a surface gives to a body, in how many conductivities / cell.
+struct Giver {
+  std::string name;
+  double strength = 0.0;
 };
 
+/// How far heat has come into a body by the end of the run.
+struct Depth {
+  std::size_t body = 0;
+  double metres = 0.0, cells = 0.0;
+};
+
+struct Shallow {
+  double percent = 0.0;
+  Depth depth;
+  double wanted = 0.0;  // cells
+  std::string giver;
+};
+
+/// Bodies at rest. With a coefficient of .2, 1, 4, 20 conductivities / cell 2.6, 14, 46, 30 % too
+/// much where heat is .3 cells deep, 1.4, 5.5, 4.8, 2.4 % at 1.1, .6, 1.0, 1.5, 1.1 % at 1.9, and
+/// about as much as the surface has warmed before. Held: -40 % at .1 cells, 15 % at .3, 2 % at .6
+/// to 1.
+double percent_at_rest(double strength, double cells) {
+  if (strength > held_from) {
+    return 1.5 / (cells * cells);
+  }
+  const double share = std::min(1.0, 1.6 * std::pow(strength, 0.85));
+  const double power = 1.35 + 0.9 * std::log10(strength);
+  const double percent =
+      cells < 1.2 ? 4.9 * std::pow(1.2 / cells, power) : 8.5 / std::pow(cells, 3);
+  return std::min(share * percent, 80.0 * strength * cells);
+}
+
+/// Bodies whose surface is known by points: held -16, -8.8, -5, -2.3, -.8 %
+/// at 1.2, 1.5, 1.8, 2.2, 2.7 cells. Exchange has a note of its own.
+double percent_of_points(double strength, double cells) {
+  return strength > held_from ? 27.0 / std::pow(cells, 3) : 0.0;
+}
+
+/// Obstacles: perfect contacts and 100 conductivities / cell 28, 16, 11, 4.7, 2.2, .5 % too little
+/// at .42, .6, .85, 1.2, 1.7, 2.7 cells; .8 conductivities / cell 3.4, 3.2, 1.9, .7 % from .85 on.
+double percent_of_obstacle(double strength, double cells) {
+  return std::min(1.0, 0.2 + 0.8 * strength) * 7.5 / (cells * cells);
+}
+
+/// Bodies in contact that move: 3 % at one cell for conductivities that are alike, 9 and 15 % for a
+/// contrast of 4 and 40; a fourth of that at two cells.
+double percent_of_contact(double contrast, double cells) {
+  return (3.0 + 14.0 * (1.0 - 1.0 / std::sqrt(contrast))) / (cells * cells);
+}
+
+/// Walls of peridynamics, held or by convection of one conductivity / spacing and more: 15, 7.5, 3,
+/// 1.7, .8 % too little at .7, 1, 1.5, 2, 3 spacings.
+double percent_of_wall(double strength, double spacings) {
+  return std::min(1.0, 0.5 + 0.5 * strength) * 7.0 / (spacings * spacings);
+}
+
+/// Where so many percent become too few to tell.
+template <class Percent>
+double wanted_cells(const Percent& percent) {
+  double cells = 0.5;
+  while (percent(cells) >= told && cells < 20.0) {
+    cells += 0.1;
+  }
+  return cells;
+}
+
+template <class Percent>
+void take(std::optional<Shallow>& worst, const Depth& depth, const std::string& giver,
+          const Percent& percent) {
+  const double here = std::min(percent(depth.cells), most_told);
+  if (here >= told && here > (worst ? worst->percent : 0.0)) {
+    worst = {here, depth, wanted_cells(percent), giver};
+  }
+}
+
+/// Whether heat passes at all.
+bool differ(const Value& one, const Value& other) {
+  return one.is_function() || other.is_function() || one.least() != other.largest() ||
+         one.largest() != other.least();
+}
+
+std::string called(const Scene& scene, std::size_t body) {
+  const std::string& name = scene.bodies[body].name;
+  return message("bodies.", body, name.empty() ? std::string() : message(" (", name, ")"));
+}
+
+Depth depth_in(const Scene& scene, std::size_t k, const Thermal& thermal) {
+  const double metres =
+      std::sqrt(largest_conductivity(thermal) / thermal.capacity() * scene.time.end);
+  return {k, metres, metres / scene.grid.cell};
+}
+
 /// Of the conditions that may act on a body.
-Strongest strongest_on(const Scene& scene, const Body& body, double conductivity) {
-  Strongest found;
+Giver strongest_on(const Scene& scene, const Body& body, double conductivity) {
+  Giver found;
   const double zero = absolute_zero(*scene.heat);
   for (std::size_t law = 0; law < scene.heat->boundaries.size(); ++law) {
     const HeatBoundary& one = scene.heat->boundaries[law];
@@ -36,40 +128,125 @@ Strongest strongest_on(const Scene& scene, const Body& body, double conductivity
         largest_coefficient(one, std::max(start, 0.0), zero) * scene.grid.cell / conductivity;
     const bool known = holds_temperature(one) || std::isfinite(strength);
     if (known && strength > found.strength) {
-      found = {law, strength};
+      found = {message("heat.boundaries.", law), strength};
     }
   }
   return found;
 }
 
+void look_at_conditions(const Scene& scene, const Depth& depth, double conductivity,
+                        std::optional<Shallow>& worst) {
+  const Giver giver = strongest_on(scene, scene.bodies[depth.body], conductivity);
+  if (!(giver.strength > 0.0)) {
+    return;
+  }
+  const bool of_points = is_heat_of_points(scene);
+  take(worst, depth, giver.name, [&](double cells) {
+    return of_points ? percent_of_points(giver.strength, cells)
+                     : percent_at_rest(giver.strength, cells);
+  });
+}
+
+void look_at_obstacles(const Scene& scene, const Depth& depth, double conductivity,
+                       std::optional<Shallow>& worst) {
+  for (std::size_t k = 0; scene.dynamics && k < scene.dynamics->obstacles.size(); ++k) {
+    const Obstacle& one = scene.dynamics->obstacles[k];
+    if (!one.temperature || !differ(*one.temperature, scene.bodies[depth.body].temperature)) {
+      continue;
+    }
+    const double strength = one.conductance
+                                ? one.conductance->largest() * scene.grid.cell / conductivity
+                                : std::numeric_limits<double>::infinity();
+    if (strength * depth.cells >= least_warming) {
+      take(worst, depth, message("dynamics.obstacles.", k),
+           [&](double cells) { return percent_of_obstacle(strength, cells); });
+    }
+  }
+}
+
+bool may_touch(const Body& one, const Body& other, double cell) {
+  if (!one.shape || !other.shape) {
+    return true;
+  }
+  const Bounds a = bounds(*one.shape), b = bounds(*other.shape);
+  return ((a.lower.array() - cell) <= b.upper.array()).all() &&
+         ((b.lower.array() - cell) <= a.upper.array()).all();
+}
+
+/// With the bodies after it that start at another temperature.
+void look_at_contacts(const Scene& scene, const Depth& depth, const Thermal& thermal,
+                      std::optional<Shallow>& worst) {
+  const Body& body = scene.bodies[depth.body];
+  if (!scene.dynamics || scene.dynamics->contacts.empty() || body.temperature.is_function()) {
+    return;
+  }
+  for (std::size_t k = depth.body + 1; k < scene.bodies.size(); ++k) {
+    const Body& other = scene.bodies[k];
+    const auto* its = material_in<Thermal>(other);
+    if (its == nullptr || other.temperature.is_function() ||
+        !differ(other.temperature, body.temperature) || !may_touch(body, other, scene.grid.cell)) {
+      continue;
+    }
+    const double one = largest_conductivity(thermal), two = largest_conductivity(*its);
+    const double contrast = std::max(one, two) / std::max(std::min(one, two), 1e-300);
+    const Depth there = depth_in(scene, k, *its);
+    take(worst, there.cells < depth.cells ? there : depth,
+         message("the contact of ", called(scene, depth.body), " and ", called(scene, k)),
+         [&](double cells) { return percent_of_contact(contrast, cells); });
+  }
+}
+
+/// Of peridynamics; `depth.cells` are spacings.
+void look_at_walls(const Scene& scene, Depth depth, double conductivity,
+                   std::optional<Shallow>& worst) {
+  const int along_axis = points_along_axis(scene.bodies[depth.body], dimension_of(scene));
+  const double spacing = scene.grid.cell / along_axis;
+  depth.cells = depth.metres / spacing;
+  for (std::size_t k = 0; k < scene.peridynamics->walls.size(); ++k) {
+    const FluidWallBody& wall = scene.peridynamics->walls[k];
+    if (!differ(wall.temperature, scene.bodies[depth.body].temperature)) {
+      continue;
+    }
+    const bool holds = wall.heat == WallHeat::temperature;
+    const double strength = holds ? std::numeric_limits<double>::infinity()
+                            : wall.heat == WallHeat::convection
+                                ? wall.coefficient * spacing / conductivity
+                                : 0.0;
+    if (strength * depth.cells >= least_warming) {
+      take(worst, depth, message("peridynamics.walls.", k),
+           [&](double cells) { return percent_of_wall(strength, cells); });
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Note> shallow_heat(const Scene& scene) {
-  std::vector<Note> all;
-  double least = 1.0;  // of the depth that would do
-  for (std::size_t k = 0; scene.heat && k < scene.bodies.size(); ++k) {
-    const Body& body = scene.bodies[k];
-    const auto* thermal = material_in<Thermal>(body);
-    if (thermal == nullptr) {
+  std::optional<Shallow> worst;
+  const bool by_walls = scene.peridynamics && scene.peridynamics->heat && !scene.peridynamics->flow;
+  for (std::size_t k = 0; (scene.heat || by_walls) && k < scene.bodies.size(); ++k) {
+    const auto* thermal = material_in<Thermal>(scene.bodies[k]);
+    if (thermal == nullptr || !(largest_conductivity(*thermal) > 0.0)) {
       continue;
     }
-    const double conductivity = largest_conductivity(*thermal);
-    const double depth = std::sqrt(conductivity / thermal->capacity() * scene.time.end);
-    const double cells = depth / scene.grid.cell;
-    const auto [law, strength] = strongest_on(scene, body, conductivity);
-    const double wanted = strength > held_from ? held_depth : deep;
-    if (strength < weakest || strength * cells < least_warming || !(cells / wanted < least)) {
+    const Depth depth = depth_in(scene, k, *thermal);
+    if (by_walls) {
+      look_at_walls(scene, depth, largest_conductivity(*thermal), worst);
       continue;
     }
-    least = cells / wanted;
-    const std::string name = body.name.empty() ? std::string() : message(" (", body.name, ")");
-    all = {note("heat.shallow", "bodies.", k, name, ": heat comes ", depth, " m deep by time.end, ",
-                cells, " cells: so early what heat.boundaries.", law,
-                " gives is off by some percent, below half a cell by a tenth to a half; with "
-                "grid.cell = ",
-                depth / 1.5, " it is right")};
+    look_at_conditions(scene, depth, largest_conductivity(*thermal), worst);
+    look_at_obstacles(scene, depth, largest_conductivity(*thermal), worst);
+    look_at_contacts(scene, depth, *thermal, worst);
   }
-  return all;
+  if (!worst) {
+    return {};
+  }
+  return {note("heat.shallow", called(scene, worst->depth.body), ": heat comes ",
+               worst->depth.metres, " m deep by time.end, ", worst->depth.cells,
+               by_walls ? " spacings: so early what " : " cells: so early what ", worst->giver,
+               " gives is off by up to ", std::round(10.0 * worst->percent) / 10.0, " %; with ",
+               by_walls ? "points " : "grid.cell = ", worst->depth.metres / worst->wanted,
+               by_walls ? " m apart it is right to " : " it is right to ", told, " %")};
 }
 
 }  // namespace lapilli

@@ -13,6 +13,9 @@ namespace {
 /// so much (corners of a body may lose one).
 constexpr double most_scale = 2.0, most_in_all = 1.1;
 constexpr int passes = 4;
+/// Nodes further in lie about along the normal and have no free surface to speak of. Nodes so many
+/// cells deep have whole boxes beyond them.
+constexpr double steepest = 0.2, most_further_in = 0.3, deep_enough = 0.6;
 
 /// One after the other; 0 where one of them insulates.
 double in_series(double one, double other) {
@@ -87,11 +90,62 @@ const Seen<Dim>& find(const std::vector<Seen<Dim>>& seen, Index node) {
   return *std::ranges::lower_bound(seen, node, {}, &Seen<Dim>::node);
 }
 
+/// Call body(neighbour, way to it in cells) for the neighbours of a node.
+template <int Dim, class Body>
+void around_node(const Grid<Dim>& grid, Index node, const Body& body) {
+  for (int number = 0; number < (Dim == 3 ? 27 : Dim == 2 ? 9 : 3); ++number) {
+    Vec<Dim> way;
+    Index neighbour = node;
+    for (int axis = 0, rest = number; axis < Dim; ++axis, rest /= 3) {
+      way[axis] = rest % 3 - 1;
+      neighbour += (rest % 3 - 1) * grid.node_stride(axis);
+    }
+    if (neighbour != node && neighbour >= 0 && neighbour < grid.node_count()) {
+      body(neighbour, way);
+    }
+  }
+}
+
+/// What the nodes one cell further in add to the area vectors along the normals. Boxes of points
+/// beside the surface, which were cut and joined, do not tile; with these nodes they do not count.
+template <int Dim>
+double further_in(const Grid<Dim>& grid, const std::vector<Seen<Dim>>& seen,
+                  const std::vector<Vec<Dim>>& area_vector, const std::vector<double>& capacity) {
+  std::vector<std::pair<Index, double>> added;  // node, area
+  const double most = most_further_in * std::pow(grid.cell_size(), Dim - 1);
+  for (const Seen<Dim>& one : seen) {
+    const double length = one.normal.norm();
+    if (!(length > 0.0)) {
+      continue;
+    }
+    const Vec<Dim> normal = one.normal / length;
+    const Vec<Dim> from = grid.node_position(one.node) - one.place / one.area;
+    if (from.dot(normal) > deep_enough * grid.cell_size()) {
+      continue;
+    }
+    around_node(grid, one.node, [&](Index node, const Vec<Dim>& way) {
+      const double area = -area_vector[node].dot(normal);
+      const bool is_known = std::ranges::binary_search(seen, node, {}, &Seen<Dim>::node);
+      if (way.dot(normal) > steepest * way.norm() && !is_known && capacity[node] > 0.0 &&
+          std::abs(area) < most) {
+        added.emplace_back(node, area);
+      }
+    });
+  }
+  std::ranges::stable_sort(added, {}, &std::pair<Index, double>::first);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < added.size(); ++k) {
+    sum += k == 0 || added[k].first != added[k - 1].first ? added[k].second : 0.0;
+  }
+  return sum;
+}
+
 /// The feet with the area that the area vectors of the nodes around each have along its normal.
 template <int Dim>
 std::vector<SurfaceFoot<Dim>> scaled(const Grid<Dim>& grid, ShapeFunction function,
                                      const std::vector<SurfaceFoot<Dim>>& given,
-                                     const std::vector<Vec<Dim>>& area_vector) {
+                                     const std::vector<Vec<Dim>>& area_vector,
+                                     const std::vector<double>& capacity) {
   std::vector<SurfaceFoot<Dim>> feet = given;
   for (int pass = 0; pass < passes; ++pass) {
     const std::vector<Seen<Dim>> seen = seen_by_nodes(grid, function, feet);
@@ -105,8 +159,9 @@ std::vector<SurfaceFoot<Dim>> scaled(const Grid<Dim>& grid, ShapeFunction functi
       feet[k].area = std::clamp(area, given[k].area / most_scale, given[k].area * most_scale);
     }
   }
-  double wanted = 0.0, found = 0.0;
-  for (const Seen<Dim>& one : seen_by_nodes(grid, function, feet)) {
+  const std::vector<Seen<Dim>> seen = seen_by_nodes(grid, function, feet);
+  double wanted = further_in(grid, seen, area_vector, capacity), found = 0.0;
+  for (const Seen<Dim>& one : seen) {
     const double length = one.normal.norm();
     wanted -= length > 0.0 ? area_vector[one.node].dot(one.normal) / length : 0.0;
     found += length;
@@ -179,7 +234,7 @@ TouchingSurface<Dim> touching_surface(const Grid<Dim>& grid, ShapeFunction funct
                                       const std::vector<Vec<Dim>>& area_vector,
                                       const std::vector<double>& capacity) {
   TouchingSurface<Dim> surface;
-  const std::vector<SurfaceFoot<Dim>> all = scaled(grid, function, feet, area_vector);
+  const std::vector<SurfaceFoot<Dim>> all = scaled(grid, function, feet, area_vector, capacity);
   const std::vector<Seen<Dim>> seen = seen_by_nodes(grid, function, all);
   for (const Seen<Dim>& one : seen) {
     surface.nodes.push_back(node_of<Dim>(one, area_vector[one.node]));
