@@ -87,8 +87,8 @@ def placed(obstacle: Obstacle, frames: Frames, time: float) -> Shape | None:
     """The shape of an obstacle where it is at a time; None where the record does not tell."""
     center = list(obstacle.center) or [0.0, 0.0]
     if obstacle.mass is None:
-        factor = obstacle.factor
-        share = time * (factor.mean(0.0, time) if isinstance(factor, Table) else float(factor))
+        factor: Any = obstacle.factor  # as read from a file: a number or a table
+        share = time * (factor.mean(0.0, time) if isinstance(factor, Table) else factor)
         way = [share * one for one in obstacle.velocity] or [0.0, 0.0]
         angle = 360.0 * share * obstacle.revolutions_per_second * math.copysign(1, obstacle.axis[2])
     else:
