@@ -8,9 +8,9 @@
 namespace lapilli {
 namespace {
 
-// Measured on cavities of Ra 1e3 to 1e6: too much heat by this share of the noise times what motion
-// carries of it, and the noise falls as the spacing to the power 1.4.
-constexpr double excess_heat = 0.45;
+// Measured on cavities of Ra 1e3 to 1e6: too much heat by this share of the noise squared times
+// what motion carries of it, and the noise falls as the spacing to the power 1.4.
+constexpr double excess_heat = 0.5;
 constexpr double coarse_excess = 0.03, resolved_excess = 0.02;
 constexpr double half_carried = 8.0;  // Peclet number where motion carries half of the heat
 
@@ -82,7 +82,8 @@ std::vector<Note> PeridynamicFlow<Dim>::warnings() const {
                  two_digits(walls_->spacing() * resolved_velocity / off), " m")};
   }
   const double peclet = now.speed * now.width / heat_->material().diffusivity();
-  const double excess = excess_heat * noise * (1.0 - half_carried / (half_carried + peclet));
+  const double excess =
+      excess_heat * noise * noise * (1.0 - half_carried / (half_carried + peclet));
   if (excess <= coarse_excess) {
     return {};
   }
@@ -90,7 +91,7 @@ std::vector<Note> PeridynamicFlow<Dim>::warnings() const {
                "the points are too few for the layers of this flow: neighbours do not share ",
                std::round(100.0 * noise), " % of the velocity, and it may carry about ",
                std::round(100.0 * excess), " % too much heat; take cells of ",
-               two_digits(walls_->spacing() * std::pow(resolved_excess / excess, 0.7)), " m")};
+               two_digits(walls_->spacing() * std::pow(resolved_excess / excess, 0.36)), " m")};
 }
 
 template <int Dim>
