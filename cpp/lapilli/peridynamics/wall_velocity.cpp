@@ -55,7 +55,7 @@ void add_wall_velocity(const WallSurface& walls, const Families& families, const
 }
 
 double viscous_share(double per_sum, double curved) {
-  return 1.0 / (1.0 - std::min(0.5, per_sum * curved));
+  return 1.0 / (1.0 - std::min(1.0 / 3.0, per_sum * curved));
 }
 
 template <int Dim>
