@@ -8,6 +8,6 @@ from lapilli._core import Scene, check_text
 
 
 def check(scene: Scene | str | os.PathLike[str]) -> str:
-    """What a scene models and what it does not, its points, step, memory and estimated time, and
-    the notes on it: the text of ``lapilli check``. Nothing is run; mistakes raise ``ValueError``."""
+    """What a scene models and what it does not, its points, step, memory, estimated time and notes:
+    the text of ``lapilli check``. Nothing is run; mistakes raise ``ValueError``."""
     return check_text(scene if isinstance(scene, Scene) else Scene.load(os.fspath(scene)))
