@@ -96,6 +96,7 @@ from lapilli._core import (
     unknown_name,
 )
 from lapilli.accept import accept_foreign_values
+from lapilli.checking import check
 from lapilli.frames import Frames
 from lapilli.html import show_in_notebooks
 from lapilli.result import Result, run
@@ -174,6 +175,7 @@ __all__ = [
     "Union",
     "VonMises",
     "__version__",
+    "check",
     "run",
     "set_thread_count",
     "thread_count",

@@ -17,6 +17,7 @@ struct BondSums {
   Vec<Dim> bond = Vec<Dim>::Zero();      // sum w Y V
   Vec<Dim> velocity = Vec<Dim>::Zero();  // sum w (v_j - v_i) V
   double density = 0.0;                  // sum w (rho_j - rho_i) V
+  double curved = 0.0;                   // m^2, see `add_wall_velocity`
   Vec<Dim> crowding = Vec<Dim>::Zero();  // sum Y / r^3
   double length = 0.0, count = 0.0;      // sum r, number of bonds within the horizon
   double least_squared = 0.0;            // m^2

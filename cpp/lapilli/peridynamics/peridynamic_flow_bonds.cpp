@@ -69,10 +69,11 @@ void PeridynamicFlow<Dim>::update_point(Index point, const BondSums<Dim>& sums, 
     stress += fluid_.viscosity * (gradient + gradient.transpose()) * inverse;
     gradient_[point] = gradient;
     inverse_shape_[point] = inverse;
-  } else if (settings_.laplacian == Laplacian::compact) {
-    viscous = fluid_.viscosity * lattice_constant_ * sums.velocity;
   } else {
-    viscous = fluid_.viscosity * 2.0 * Dim * per_trace * (sums.velocity - gradient * sums.bond);
+    const bool compact = settings_.laplacian == Laplacian::compact;
+    const double per_sum = compact ? lattice_constant_ : 2.0 * Dim * per_trace;
+    const Vec<Dim> sum = compact ? sums.velocity : Vec<Dim>(sums.velocity - gradient * sums.bond);
+    viscous = fluid_.viscosity * per_sum * viscous_share(per_sum, sums.curved) * sum;
   }
   force_.set(point, stress, rows_.data() + point * row_size, viscous, sums.bond);
   if (fluid(point)) {

@@ -7,8 +7,9 @@ namespace lapilli {
 
 namespace {
 
-/// Call body(bond, w V, more) for the bonds of `point` to walls: `more` is what the wall's
-/// velocity, continued behind its surface, adds to v_j - v_i.
+/// Call body(bond, w V, more, curved) for the bonds of `point` to walls: `more` is what the wall's
+/// velocity, continued behind its surface, adds to v_j - v_i, and `curved` (m^2) times the
+/// curvature of the profile what a line leaves out, 0 where the fluid slides or the surface runs.
 template <int Dim, class Body>
 void for_wall_bonds(const WallSurface& walls, const Families& families, const double* rows,
                     const double* bond_weight, Index point, const Body& body) {
@@ -29,11 +30,15 @@ void for_wall_bonds(const WallSurface& walls, const Families& families, const do
       relative[d] = other[4 + d] - own[4 + d];
     }
     Vec<Dim> more = ratio * relative;
-    if (walls.walls()[walls.wall(j)].settings.slip == Slip::free_slip) {
+    const FluidWallSettings& wall = walls.walls()[walls.wall(j)].settings;
+    const bool slides = wall.slip == Slip::free_slip;
+    if (slides) {
       const Eigen::Map<const Vec<Dim>> n(walls.normal(j));
       more = (1.0 + ratio) * n.dot(relative) * n - relative;
     }
-    body(bond, w, more);
+    const bool runs = !wall.moves && !Eigen::Map<const Vec<Dim>>(other + 4).isZero(0.0);
+    const double curved = slides || runs ? 0.0 : 0.5 * walls.depth(j) * (walls.depth(j) + ahead);
+    body(bond, w, more, curved);
   }
 }
 
@@ -42,9 +47,15 @@ void for_wall_bonds(const WallSurface& walls, const Families& families, const do
 template <int Dim>
 void add_wall_velocity(const WallSurface& walls, const Families& families, const double* rows,
                        const double* bond_weight, Index point, BondSums<Dim>& sums) {
-  for_wall_bonds<Dim>(
-      walls, families, rows, bond_weight, point,
-      [&](const Vec<Dim>&, double w, const Vec<Dim>& more) { sums.velocity += w * more; });
+  for_wall_bonds<Dim>(walls, families, rows, bond_weight, point,
+                      [&](const Vec<Dim>&, double w, const Vec<Dim>& more, double curved) {
+                        sums.velocity += w * more;
+                        sums.curved += w * curved;
+                      });
+}
+
+double viscous_share(double per_sum, double curved) {
+  return 1.0 / (1.0 - std::min(1.0 / 3.0, per_sum * curved));
 }
 
 template <int Dim>
@@ -69,7 +80,7 @@ double viscous_heating(const WallSurface& walls, const Families& families, const
                        double viscosity) {
   Mat<Dim> slope = sums.gradient;
   for_wall_bonds<Dim>(walls, families, rows, bond_weight, point,
-                      [&](const Vec<Dim>& bond, double w, const Vec<Dim>& more) {
+                      [&](const Vec<Dim>& bond, double w, const Vec<Dim>& more, double) {
                         slope += w * more * bond.transpose();
                       });
   const Mat<Dim> gradient = slope * sums.shape.inverse();

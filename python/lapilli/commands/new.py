@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import sys
 from pathlib import Path
 from typing import Annotated, Literal
@@ -48,7 +49,8 @@ def command(
         raise ValueError(f"{file} is there already: nothing was written") from None
     wrote([file], json, quiet)
     if not json and not quiet:
-        print(f"next: lapilli check {file}; lapilli run {file}; lapilli plot {file.stem}.vtkhdf")
+        scene, frames = shlex.quote(str(file)), shlex.quote(f"{file.stem}.vtkhdf")
+        print(f"next: lapilli check {scene}; lapilli run {scene}; lapilli plot {frames}")
     return FINISHED
 
 

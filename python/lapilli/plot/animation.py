@@ -22,6 +22,7 @@ from lapilli.plot.picture import (
     limits_of,
     paint,
 )
+from lapilli.plot.solids import solids_move
 from lapilli.plot.style import Style
 from lapilli.plot.view import View, drawn_field, view_of
 from lapilli.whole_file import whole_file
@@ -73,6 +74,7 @@ def pictures(
     figure, axes = panels_for(held)
     figure.set_dpi(dpi)
     is_moving = bool(style.vectors or style.contours) or not held[0][0].is_plane
+    is_moving = is_moving or any(solids_move(run) for run in runs)
     drawn: list[Any] = []
     counts: list[int] = []
     for number in numbers:

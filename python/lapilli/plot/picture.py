@@ -11,6 +11,7 @@ import numpy as np
 from lapilli.frames import Frame, Frames
 from lapilli.plot.canvas import dot_areas, ends_of, panels_for, require_matplotlib
 from lapilli.plot.overlays import draw_contours, draw_vectors, place_keys
+from lapilli.plot.solids import draw_solids
 from lapilli.plot.style import Style
 from lapilli.plot.view import NAMES, View, drawn_field, view_of
 from lapilli.whole_file import whole_file
@@ -117,14 +118,16 @@ def paint(
         for panel, room in zip(axes, held or [[view] for view in views], strict=True):
             low, high = ends_of(room)
             panel.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+        painted = [draw_solids(panel, frame.frames, frame.time)
+                   for panel, frame in zip(axes, frames, strict=True)]  # fmt: skip
         label = views[0].label
         if figure.get_figheight() < LOW:  # room for a word beside the colours
             label = label.replace(", ", ",\n")
         figure.colorbar(drawn[0], ax=list(axes), label=label, shrink=0.9, aspect=30)
     figure.draw_without_rendering()  # lays out the panels, so that metres have a size
-    for panel, view, dots in zip(axes, views, drawn, strict=True):
+    for k, (panel, view, dots) in enumerate(zip(axes, views, drawn, strict=True)):
         if view.is_plane:
-            fit_dots(panel, view, dots)
+            fit_dots(panel, view, dots, painted[k])
             place_keys(panel)
     return drawn
 
@@ -163,11 +166,13 @@ def draw_view(axes: Axes, view: View, limits: Limits, colours: str) -> Any:
     return dots
 
 
-def fit_dots(axes: Axes, view: View, dots: Any) -> None:
-    """Give dots the size of the points' boxes, now that the axes are laid out."""
+def fit_dots(axes: Axes, view: View, dots: Any, painted: bool) -> None:
+    """Give dots the size of the points' boxes, now that the axes are laid out. Walls that are
+    `painted` need no dots, and hide what of those of the fluid reaches into them."""
     # Points of a fluid lie in no rows: wider dots leave no gaps between them.
-    wider = 1.5 if len(view.walls) else 1.12
+    wider = 1.12 if not len(view.walls) else 1.8 if painted else 1.5
     dots.set_sizes(dot_areas(axes, view.spacing[view.rows], wider))
     if len(view.walls):
-        walls: Any = next(one for one in axes.collections if one is not dots)
+        walls: Any = axes.collections[0]
         walls.set_sizes(dot_areas(axes, view.spacing[view.walls]))
+        walls.set_visible(not painted)

@@ -43,7 +43,7 @@ def text_of(found: Suggestion, scene_file: str, changes: Sequence[str] = ()) -> 
     cost = "measured" if found.was_run else "predicted, without output"
     return "\n".join(
         [
-            f"lapilli run {scene_file} {words}",
+            f"lapilli run {shlex.quote(scene_file)} {words}",
             f"{found.judge.norm} error of {found.judge.name}{unit_of(found)}: {grade.error:.2g} "
             f"({grade.low:.2g} to {high}, {grade.how}); target {found.target:g}",
             f"{duration(found.cpu_seconds)} of processor time, "

@@ -153,3 +153,13 @@ def test_new_air_carries_the_heat_of_its_rayleigh_number() -> None:
         result.history[f"heat/heat_flow_from_wall_{one}"][-1] for one in ("hot", "cold")
     )
     assert given == pytest.approx(-taken, rel=0.02)
+
+
+def test_what_to_do_next_is_a_command_whatever_the_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Blanks and quotes are those of a shell."""
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", "heat", "--output", "my kühl scene.toml"]) == 0
+    said = capsys.readouterr().out
+    assert "lapilli run 'my kühl scene.toml'; lapilli plot 'my kühl scene.vtkhdf'" in said

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import lapilli as lp
+from lapilli import examples
 
 
 def test_a_time_series_is_what_a_probe_of_the_run_records(heated: lp.Result) -> None:
@@ -148,3 +149,12 @@ def test_what_a_run_in_memory_should_say_is_heard(caplog: pytest.LogCaptureFixtu
     logged = [record.getMessage() for record in caplog.records]
     assert all(any(one.line in line for line in logged) for one in result.warnings)
     assert all(one in result._repr_html_() for one in result.warnings)
+
+
+def test_check_says_what_the_command_says() -> None:
+    scene = examples.path("vhfm/ring")
+    of_file, of_scene = lp.check(scene), lp.check(lp.Scene.load(scene))
+    assert "models        heat conduction, convection" in of_file
+    assert of_scene.partition("step ")[0] == of_file.partition("step ")[0]
+    with pytest.raises(ValueError, match="no such file"):
+        lp.check("nowhere.toml")

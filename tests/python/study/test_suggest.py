@@ -2,7 +2,9 @@
 
 import json
 import math
+import shlex
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,11 +15,11 @@ from lapilli import examples
 from lapilli.cli import main
 from lapilli.study import InProcess, Suggestion, suggest
 from lapilli.study.cost import Cost
-from lapilli.study.ladder import Climb, Judge, Ladder, Rung
+from lapilli.study.ladder import Climb, Grade, Judge, Ladder, Rung
 from lapilli.study.measure import Task
 from lapilli.study.observe import Observation, Snapshot
 from lapilli.study.settings import Setting
-from lapilli.study.suggest_show import seconds_of
+from lapilli.study.suggest_show import seconds_of, text_of
 from lapilli.study.truth import truth_of
 
 
@@ -261,3 +263,14 @@ def test_mistakes(
 def test_budgets_are_times() -> None:
     assert [seconds_of(text) for text in ("90", "90s", "1.5min", "2h")] == [90, 90, 90, 7200]
     assert math.isclose(seconds_of("1e-1 s"), 0.1)
+
+
+def test_the_command_that_is_suggested_runs_whatever_the_name_of_the_scene() -> None:
+    made = ladder([0.04, 0.01])
+    made.rungs = [replace(one, seen=replace(one.seen, units={"x": "m"})) for one in made.rungs]
+    grade = Grade(made.rungs[-1], 1e-3, 5e-4, 2e-3, "against a finer run")
+    found = Suggestion(1e-2, made.judge, grade, "", 1.0, 1.0, 1e6, True, 1.0, made)
+    said = text_of(found, "my scenes/Kühl 'a'.toml", ["title=a b"])
+    assert shlex.split(said.splitlines()[0]) == [
+        "lapilli", "run", "my scenes/Kühl 'a'.toml", "--set", "title=a b", "--set", "grid.cell=0.5",
+    ]  # fmt: skip
