@@ -5,8 +5,6 @@ function(lapilli_compiler_options target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Eigen 3.4.0's matrix-vector product trips it from inside, at sizes that cannot occur.
     target_compile_options(${target} PRIVATE -Wno-aggressive-loop-optimizations)
-    # Its collector of garbage runs less often: a tenth less time for a fifth more memory.
-    target_compile_options(${target} PRIVATE "SHELL:--param ggc-min-heapsize=400000")
   endif()
   target_compile_options(${target} PRIVATE -fno-math-errno -ffp-contract=off)
   if(LAPILLI_MARCH)
