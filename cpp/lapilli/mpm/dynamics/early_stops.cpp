@@ -43,6 +43,35 @@ bool pulls_towards(const Vec3& gravity, int axis, bool upper) {
   return pull > 0.0 && pull == gravity.cwiseAbs().maxCoeff();
 }
 
+/// Whether a prescribed motion takes an obstacle along a face across an axis.
+bool moves_along(const Obstacle& obstacle, int axis) {
+  bool along = false;
+  for (std::size_t k = 0; k < obstacle.velocity.size(); ++k) {
+    along = along || (static_cast<int>(k) != axis && obstacle.velocity[k] != 0.0);
+  }
+  return along && !obstacle.mass;
+}
+
+/// Obstacles that move along a face of the grid and end on it.
+template <int Dim>
+void note_ends(const DynamicsData<Dim>& data, int face, std::vector<Note>& all) {
+  const double h = data.grid.cell_size();
+  const int axis = face / 2;
+  for (std::size_t k = 0; k < data.settings.obstacles.size(); ++k) {
+    const Obstacle& one = data.settings.obstacles[k];
+    const Bounds box = bounds(one.shape);
+    const double beyond = face % 2 == 1 ? box.upper[axis] - data.grid.upper()[axis]
+                                        : data.grid.lower()[axis] - box.lower[axis];
+    if (moves_along(one, axis) && beyond > -touching * h && beyond < h) {
+      all.push_back(note("dynamics.obstacle-end", "dynamics.obstacles.", k,
+                         one.name.empty() ? std::string() : " (" + one.name + ")",
+                         " moves along the grid boundary ", name_of(static_cast<GridFace>(face)),
+                         " and ends on it: material beside that edge is pushed out through its "
+                         "end; draw it a cell or more beyond the face"));
+    }
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -58,6 +87,7 @@ std::vector<Note> early_stops(const DynamicsData<Dim>& data,
     const int axis = face / 2;
     const bool upper = face % 2 == 1;
     const char* name = name_of(static_cast<GridFace>(face));
+    note_ends(data, face, all);
     for (std::size_t body = 0; body < boxes.size(); ++body) {
       const double gap = upper ? size[axis] - boxes[body].upper[axis] : boxes[body].lower[axis];
       if (!(gap > touching) || !std::isfinite(gap)) {

@@ -108,6 +108,10 @@ std::vector<Note> Dynamics<Dim>::warnings() const {
     const std::vector<Note> lost = loads_->warnings();
     all.insert(all.end(), lost.begin(), lost.end());
   }
+  if (obstacles_) {
+    const std::vector<Note> inside = obstacles_->warnings(data_);
+    all.insert(all.end(), inside.begin(), inside.end());
+  }
   if (removed_.points > 0.0) {
     all.push_back(note("dynamics.points-removed", removed_.points,
                        " points left the grid and were removed: ", removed_.mass, " kg",

@@ -57,22 +57,6 @@ ObstacleContacts<Dim>::ObstacleContacts(const DynamicsData<Dim>& data, const Obs
   }
 }
 
-template <int Dim>
-void ObstacleContacts<Dim>::require_nothing_inside(const DynamicsData<Dim>& data) const {
-  Index deepest = -1;
-  double depth = 1e-6 * data.grid.cell_size();
-  for (Index row = 0; row < data.points.size(); ++row) {
-    const double inside = -clearance(in_space<Dim>(data.points.template position<Dim>(row)));
-    if (inside > depth) {
-      depth = inside;
-      deepest = row;
-    }
-  }
-  require(deepest < 0, "dynamics.obstacles: ", name_, " starts inside body ",
-          deepest < 0 ? 0 : data.points.body()[deepest], ": its point ",
-          deepest < 0 ? 0 : data.points.id()[deepest], " lies ", depth, " m deep in it");
-}
-
 /// Impulses of the step before, those of points that were in contact then.
 template <int Dim>
 void ObstacleContacts<Dim>::start_from(double scale) {

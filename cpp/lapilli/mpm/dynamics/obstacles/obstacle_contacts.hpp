@@ -74,6 +74,13 @@ class ObstacleContacts {
   const Vec3& impulse() const { return impulse_; }  // N s, given to the bodies since the start
   double work() const { return work_; }             // J, the same
   Index touching() const;                           // contacts that push
+  /// Points deeper inside than `depth` (m): how many, and the deepest (row -1: none). No point has
+  /// moved farther than `travelled` (m, since the start).
+  struct Inside {
+    Index count, row;
+    double depth;
+  };
+  Inside inside(const DynamicsData<Dim>& data, double depth, double travelled) const;
 
  private:
   // Of a point: clearance, the step it belongs to, its impulse (push, drag, felt), and the way

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lapilli/core/balance.hpp"
+#include "lapilli/core/note.hpp"
 #include "lapilli/mpm/dynamics/obstacles/obstacle_contacts.hpp"
 #include "lapilli/mpm/dynamics/solve_nodes.hpp"
 
@@ -34,6 +35,8 @@ class Obstacles {
   double speed() const;                    // m/s, largest of any surface
   double given() const { return given_; }  // J, by the motion of all since the start
   Vec3 impulse() const;                    // N s, given to the bodies since the start
+  /// Of material that has passed into them.
+  std::vector<Note> warnings(const DynamicsData<Dim>& data) const;
   std::vector<std::pair<std::string, double>> diagnostics() const;
   std::vector<Balance::Entry> work_entries() const;
   std::vector<Balance::Entry> impulse_entries(int axis) const;
