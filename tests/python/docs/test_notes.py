@@ -27,7 +27,7 @@ sys.path.pop(0)
 
 ROOT = Path(__file__).parents[3]
 # Said in several places, with one meaning and one cure.
-SHARED = {"scene.no-effect", "heat.conductivity-axes"}
+SHARED = {"scene.no-effect", "heat.conductivity-axes", "peridynamics.comparison-laplacian"}
 
 
 def places_of_codes() -> dict[str, list[str]]:
