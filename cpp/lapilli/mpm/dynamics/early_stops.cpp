@@ -45,11 +45,9 @@ bool pulls_towards(const Vec3& gravity, int axis, bool upper) {
 
 /// Whether a prescribed motion takes an obstacle along a face across an axis.
 bool moves_along(const Obstacle& obstacle, int axis) {
-  bool along = false;
-  for (std::size_t k = 0; k < obstacle.velocity.size(); ++k) {
-    along = along || (static_cast<int>(k) != axis && obstacle.velocity[k] != 0.0);
-  }
-  return along && !obstacle.mass;
+  Vec3 along = place(obstacle.velocity);
+  along[axis] = 0.0;
+  return !obstacle.mass && !along.isZero(0.0);
 }
 
 /// Obstacles that move along a face of the grid and end on it.
@@ -59,10 +57,13 @@ void note_ends(const DynamicsData<Dim>& data, int face, std::vector<Note>& all) 
   const int axis = face / 2;
   for (std::size_t k = 0; k < data.settings.obstacles.size(); ++k) {
     const Obstacle& one = data.settings.obstacles[k];
+    if (!moves_along(one, axis)) {
+      continue;
+    }
     const Bounds box = bounds(one.shape);
     const double beyond = face % 2 == 1 ? box.upper[axis] - data.grid.upper()[axis]
                                         : data.grid.lower()[axis] - box.lower[axis];
-    if (moves_along(one, axis) && beyond > -touching * h && beyond < h) {
+    if (beyond > -touching * h && beyond < h) {
       all.push_back(note("dynamics.obstacle-end", "dynamics.obstacles.", k,
                          one.name.empty() ? std::string() : " (" + one.name + ")",
                          " moves along the grid boundary ", name_of(static_cast<GridFace>(face)),

@@ -10,11 +10,29 @@
 namespace lapilli {
 namespace {
 
-constexpr int kept =
-    4;  // by cell: volume, and over it the means of free strain, body, body squared
+/// By cell: volume, and times volume the free strain, the number of the body and its square.
+constexpr int kept = 4;
 
 double* of_cells(LargeArray<double>& values, int which) {
   return values.data() + which * (static_cast<Index>(values.size()) / kept);
+}
+
+/// Zero the sums of the cells in use; those of others are never weighed.
+template <int Dim>
+void clear_free_strain(DynamicsData<Dim>& data) {
+  constexpr Index quad = 4;  // past the last node
+  const Index cells = data.fields.is_single() ? data.grid.node_count() : data.fields.node_count();
+  if (const auto room = static_cast<std::size_t>(kept * (cells + quad));
+      data.cell_strain.size() < room) {
+    data.cell_strain.assign(room, 0.0);
+  }
+  const Index first = data.nodes.first();
+  parallel_ranges(data.nodes.last() + quad - first, [&](Index begin, Index end) {
+    for (int k = 0; k < kept; ++k) {
+      double* sum = of_cells(data.cell_strain, k) + first;
+      std::fill(sum + begin, sum + end, 0.0);
+    }
+  });
 }
 
 template <int Dim, class Shape>
@@ -88,8 +106,7 @@ void take_mean_strain(DynamicsData<Dim>& data, const NodeField<Dim>& field, Inde
 
 template <int Dim>
 void average_free_strain(DynamicsData<Dim>& data) {
-  const Index cells = data.fields.is_single() ? data.grid.node_count() : data.fields.node_count();
-  data.cell_strain.assign(static_cast<std::size_t>(kept * (cells + 4)), 0.0);
+  clear_free_strain(data);
   const Index* body = data.points.body().data();
   with_transfer(data.shape, data.settings.transfer, [&]<class Shape, VelocityTransfer>() {
     data.order.for_each_strip([&](Index begin, Index end) {
