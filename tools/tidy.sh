@@ -9,7 +9,8 @@ cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DLAPILLI_UNITY=OFF -DLAPILLI_
 # Options of GCC that clang does not know.
 flags=build/tidy
 mkdir -p "$flags"
-sed 's/ -Wno-aggressive-loop-optimizations//g; s/ -fno-fat-lto-objects//g; s/ -flto=auto//g; s/ -flto//g' \
+sed 's/ -Wno-aggressive-loop-optimizations//g; s/ --param ggc-min-heapsize=400000//g;
+     s/ -fno-fat-lto-objects//g; s/ -flto=auto//g; s/ -flto//g' \
   "$build/compile_commands.json" >"$flags/compile_commands.json"
 git ls-files "${@:-cpp}" | grep '\.cpp$' |
   xargs -P "${JOBS:-$(nproc)}" -n 1 clang-tidy -p "$flags" --quiet 2>&1 |

@@ -107,7 +107,7 @@ void define_arguments(CLI::App& app, Arguments& given) {
   app.add_flag("--resume", given.resume, "Go on from the checkpoint beside the output");
   app.add_flag("--check", given.check, "Validate the scene and say what it models and costs");
   app.add_flag("--json", given.json, "With --check: as JSON");
-  app.add_flag("--quiet", given.quiet, "Show no progress");
+  app.add_flag("--quiet,-q", given.quiet, "Show no progress");
   app.add_flag("--keys", given.keys, "Print every key of a scene file as Markdown");
   app.add_flag("--schema", given.schema, "Print the JSON Schema of scene files");
   app.set_version_flag("--version", version_text);

@@ -125,7 +125,9 @@ inline PrincipalStress<Real> return_sorted(const MohrCoulombNumbers<Number>& m, 
 
   const auto past_left = p1 < p2;
   const auto past_right = p2 < p3;
-  const auto on_left = past_left & ((p2 >= p3) | (l12 >= l3));
+  const auto face_sorted = p2 >= p3;
+  const auto left_sorted = l12 >= l3;
+  const auto on_left = past_left & (face_sorted | left_sorted);
   const auto plastic = yield > 0.0;
   const Real e1 = past_right ? r1 : p1, e2 = past_right ? r23 : p2, e3 = past_right ? r23 : p3;
   const Real c1 = on_left ? l12 : e1, c2 = on_left ? l12 : e2, c3 = on_left ? l3 : e3;

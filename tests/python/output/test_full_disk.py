@@ -90,7 +90,7 @@ def test_a_limit_of_the_file_size_is_an_error_of_both_front_ends(tmp_path, limit
         if not Path(command[0]).exists():
             pytest.skip("no executable")
         run = subprocess.run(
-            [*command, scene, "--quiet", "--output", output],
+            [*command, scene, "-q", "--output", output],
             capture_output=True,
             text=True,
             preexec_fn=limited,

@@ -44,7 +44,7 @@ void HeatFields<Dim>::find_pairs(const HeatProblem<Dim>& problem) {
       if (first == second) {
         continue;
       }
-      const auto [low, high] = std::minmax(first, second);
+      const int low = std::min(first, second), high = std::max(first, second);
       auto pair = std::ranges::find_if(
           pairs_, [&](const Pair& one) { return one.first == low && one.second == high; });
       const int entry = entries.of(a, b);

@@ -274,8 +274,10 @@ TouchingSurface<Dim> touching_surface(const Grid<Dim>& grid, ShapeFunction funct
                     surface.outer);
   }
   std::ranges::stable_sort(surface.outer, {}, &OuterNode::node);
-  const auto twice = std::ranges::unique(surface.outer, {}, &OuterNode::node);
-  surface.outer.erase(twice.begin(), twice.end());
+  const auto twice =
+      std::unique(surface.outer.begin(), surface.outer.end(),
+                  [](const OuterNode& a, const OuterNode& b) { return a.node == b.node; });
+  surface.outer.erase(twice, surface.outer.end());
   return surface;
 }
 
