@@ -222,7 +222,7 @@ class Frames:
     def time_series(
         self,
         field: str,
-        probe: Sequence[float] | None = None,
+        probe: Sequence[float] | str | None = None,
         point: int | None = None,
     ) -> HistoryFrame | History:
         """A field, or one component of it, in time: a table like ``result.history``.
@@ -233,7 +233,7 @@ class Frames:
             "temperature", "velocity.x"; all components where none is named.
         probe
             A position, m: the field is fitted linearly to the points around it, as a probe of the
-            run does, and is NaN where there is no material.
+            run does, and is NaN where there is no material. Or the name of such a probe.
         point
             The id of a material point that is followed instead; NaN once it has left the grid.
         """

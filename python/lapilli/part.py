@@ -31,6 +31,7 @@ class Part:
     ) -> None:
         self._read = read
         self.number = _number(which, names)
+        self.name = names[self.number]
         self.rows: npt.NDArray[np.bool_] = read("body") == self.number
 
     def __getitem__(self, name: str) -> Array:
@@ -41,7 +42,7 @@ class Part:
         return int(self.rows.sum())
 
     def __repr__(self) -> str:
-        return f"<body {self.number}, {len(self)} points>"
+        return f"<body {self.name or self.number}, {len(self)} points>"
 
     @property
     def position(self) -> npt.NDArray[np.float64]:

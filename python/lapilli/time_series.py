@@ -20,12 +20,14 @@ Array = npt.NDArray[Any]
 
 
 def time_series(
-    frames: Frames, field: str, probe: Sequence[float] | None, point: int | None
+    frames: Frames, field: str, probe: Sequence[float] | str | None, point: int | None
 ) -> HistoryFrame | History:
     """See ``Frames.time_series``."""
     if (probe is None) == (point is None):
         raise ValueError("a time series needs either probe=(x, y) or point=id")
     require_field(field, [*frames.readable, "position"], frames.path)
+    if isinstance(probe, str):
+        probe = _place_of(frames, probe)
     read = _follower(frames, point) if point is not None else _prober(frames, probe or ())
     rows = [read(frame, field) for frame in frames]
     numbers = dict(zip(_names(frames[0], field), np.transpose(rows), strict=True))
@@ -52,6 +54,20 @@ def _follower(frames: Frames, point: int) -> Callable[[Frame, str], Array]:
         return np.atleast_1d(values[row])
 
     return read
+
+
+def _place_of(frames: Frames, name: str) -> list[float]:
+    """Where a probe of the run stands."""
+    settings = (frames.record or {}).get("settings") or {}
+    found = {one["name"]: one for one in settings.get("probes") or []}
+    if name not in found:
+        known = ", ".join(map(repr, found)) or "none"
+        raise ValueError(
+            f"no probe {name!r} in {frames.record_path}; there is {known}. A place: probe=(x, y)"
+        )
+    if found[name]["material_point"]:
+        raise ValueError(f"probe {name!r} moves with its material: its values are in the history")
+    return [float(x) for x in found[name]["position"]]
 
 
 def _prober(frames: Frames, probe: Sequence[float]) -> Callable[[Frame, str], Array]:

@@ -18,6 +18,8 @@ def test_a_time_series_is_what_a_probe_of_the_run_records(heated: lp.Result) -> 
         series["temperature"], history["middle"].to_numpy()[rows], rtol=1e-12
     )
     assert series.unit("temperature") == "K"
+    by_name = heated.frames.time_series("temperature", probe="middle")
+    np.testing.assert_array_equal(by_name["temperature"], series["temperature"])
 
 
 def test_a_time_series_has_nothing_where_no_material_is(heated: lp.Result) -> None:
@@ -39,6 +41,7 @@ def test_a_time_series_of_a_point_has_each_component(falling: lp.Result) -> None
         ({}, "either probe=.* or point=id"),
         ({"probe": (1, 1), "point": 3}, "either probe=.* or point=id"),
         ({"probe": (1, 1, 1)}, "2 coordinates"),
+        ({"probe": "centre"}, "no probe 'centre' in .* there is 'middle'"),
         ({"point": 10**6}, "no point 1000000 .* from 0 to"),
     ],
 )
@@ -55,6 +58,7 @@ def test_components_are_fields_by_name(falling: lp.Result) -> None:
     # nine numbers on disk, fewer in the state: one size
     np.testing.assert_allclose(last["stress.magnitude"], falling.by_id("stress.magnitude"))
     right = last.body("right")
+    assert repr(right) == f"<body right, {len(right)} points>"
     np.testing.assert_array_equal(right["velocity.y"], last["velocity"][right.rows][:, 1])
     with pytest.raises(KeyError, match=r"did you mean 'velocity\.x'"):
         falling["velocity.q"]
