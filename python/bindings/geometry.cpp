@@ -64,15 +64,78 @@ py::array_t<double> distances(const py::object& given, const Numbers& positions)
   return all;
 }
 
-}  // namespace
+/// `one - other` and its like: the class called `kind` of both.
+template <class Combine>
+auto combined(Combine combine) {
+  return [combine](const py::object& one, const py::object& other) -> py::object {
+    if (!py::isinstance<AnyShape>(other)) {
+      return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+    }
+    return combine(py::module_::import("lapilli._core"), one, other);
+  };
+}
 
-void bind_geometry(py::module_& module) {
-  py::class_<AnyShape>(module, "Shape",
-                       "Any shape. Scenes of one or two dimensions leave out the last coordinates.")
+py::object list_of(const py::object& one, const py::object& other) {
+  py::list both;
+  both.append(one);
+  both.append(other);
+  return both;
+}
+
+void bind_shape(py::module_& module) {
+  const std::string self = "(self: lapilli._core.Shape";
+  py::class_<AnyShape>(
+      module, "Shape",
+      "Any shape. Scenes of one or two dimensions leave out the last coordinates."
+      "\n\n``one | other`` is their union, ``one & other`` what lies in both, ``one "
+      "- other`` what lies in one and not in the other.")
       .def("distance", &distances, py::arg("positions"),
            "distance(self: lapilli._core.Shape, positions: numpy.typing.ArrayLike) -> "
            "numpy.typing.NDArray[numpy.float64]\n\nSigned distance of positions (n, dimension) to "
-           "the surface, negative inside, m.");
+           "the surface, negative inside, m.")
+      .def("__or__",
+           combined([](const py::module_& core, const py::object& one, const py::object& other) {
+             return core.attr("Union")(py::arg("shapes") = list_of(one, other));
+           }),
+           ("__or__" + self + ", other: Shape) -> Union\n\nWhat lies in any of both.").c_str())
+      .def("__and__",
+           combined([](const py::module_& core, const py::object& one, const py::object& other) {
+             return core.attr("Intersection")(py::arg("shapes") = list_of(one, other));
+           }),
+           ("__and__" + self + ", other: Shape) -> Intersection\n\nWhat lies in both.").c_str())
+      .def("__sub__",
+           combined([](const py::module_& core, const py::object& one, const py::object& other) {
+             return core.attr("Difference")(py::arg("shape") = one, py::arg("minus") = other);
+           }),
+           ("__sub__" + self + ", other: Shape) -> Difference\n\nWhat lies outside of the other.")
+               .c_str())
+      .def(
+          "rotated",
+          [](const py::object& of, double degrees, const py::kwargs& more) {
+            return py::module_::import("lapilli._core")
+                .attr("Rotated")(py::arg("shape") = of, py::arg("degrees") = degrees, **more);
+          },
+          py::arg("degrees"),
+          ("rotated" + self +
+           ", degrees: float, **more: typing.Any) -> Rotated\n\nTurned; ``center`` and ``axis`` as "
+           "for `Rotated`.")
+              .c_str())
+      .def(
+          "translated",
+          [](const py::object& of, const py::object& by) {
+            return py::module_::import("lapilli._core")
+                .attr("Translated")(py::arg("shape") = of, py::arg("by") = by);
+          },
+          py::arg("by"),
+          ("translated" + self +
+           ", by: collections.abc.Sequence[float]) -> Translated\n\nMoved, m.")
+              .c_str());
+}
+
+}  // namespace
+
+void bind_geometry(py::module_& module) {
+  bind_shape(module);
   bind_struct<Box>(
       module, "Box",
       "Interval, rectangle or box with sides along the axes; infinite along axes beyond "

@@ -64,10 +64,21 @@ py::object field(const py::object& self, const std::string& name) {
   throw py::key_error(unknown_name("field", name, field_names(simulation)));
 }
 
+/// A field, or a component of one: "stress.xy".
+py::object field_or_component(const py::object& self, const std::string& name) {
+  const std::size_t dot = name.find('.');
+  if (dot == std::string::npos) {
+    return field(self, name);
+  }
+  const py::object component_of = py::module_::import("lapilli.components").attr("component_of");
+  return component_of(field(self, name.substr(0, dot)), name);
+}
+
 py::object by_id(const py::object& self, const std::string& name) {
   const Points& points = self.cast<PythonSimulation&>().get().points();
   const std::vector<Index> rows = points.rows_by_id();
-  return field(self, name)[py::array_t<Index>(static_cast<py::ssize_t>(rows.size()), rows.data())];
+  return field_or_component(
+      self, name)[py::array_t<Index>(static_cast<py::ssize_t>(rows.size()), rows.data())];
 }
 
 std::string unit_of(PythonSimulation& simulation, const std::string& name) {
@@ -147,13 +158,14 @@ void bind_stepping(Bound& bound) {
 void bind_fields(Bound& bound) {
   const std::string array = " -> numpy.typing.NDArray[typing.Any]";
   bound
-      .def(
-          "__getitem__", &field, py::arg("name"),
-          ("__getitem__" + self + ", name: str)" + array +
-           "\n\nA field as a read-only view without copy, brought up to date, one row per point in "
-           "the present order. It keeps the simulation alive; later steps change it. In a scene "
-           "with stages it is a copy.")
-              .c_str())
+      .def("__getitem__", &field_or_component, py::arg("name"),
+           ("__getitem__" + self + ", name: str)" + array +
+            "\n\nA field, or a component of one (stress.xy), as a read-only view without copy, "
+            "brought "
+            "up to date, one row per point in the present order. It keeps the simulation alive; "
+            "later "
+            "steps change it. In a scene with stages it is a copy.")
+               .c_str())
       .def("by_id", &by_id, py::arg("name"),
            ("by_id" + self + ", name: str)" + array +
             "\n\nA copy of a field with its rows in the order of the points' ids.")

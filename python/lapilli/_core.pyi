@@ -54,12 +54,34 @@ class Table:
 class Shape:
     """
     Any shape. Scenes of one or two dimensions leave out the last coordinates.
+    
+    ``one | other`` is their union, ``one & other`` what lies in both, ``one - other`` what lies in one and not in the other.
     """
+    def __and__(self, other: Shape) -> Intersection:
+        """
+        What lies in both.
+        """
+    def __or__(self, other: Shape) -> typing.Union:
+        """
+        What lies in any of both.
+        """
     def __reduce__(self) -> typing.Any:
         ...
+    def __sub__(self, other: Shape) -> Difference:
+        """
+        What lies outside of the other.
+        """
     def distance(self, positions: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
         """
         Signed distance of positions (n, dimension) to the surface, negative inside, m.
+        """
+    def rotated(self, degrees: float, **more: typing.Any) -> Rotated:
+        """
+        Turned; ``center`` and ``axis`` as for `Rotated`.
+        """
+    def translated(self, by: collections.abc.Sequence[float]) -> Translated:
+        """
+        Moved, m.
         """
 class Box(Shape):
     """
@@ -4802,7 +4824,7 @@ class Simulation:
         ...
     def __getitem__(self, name: str) -> numpy.typing.NDArray[typing.Any]:
         """
-        A field as a read-only view without copy, brought up to date, one row per point in the present order. It keeps the simulation alive; later steps change it. In a scene with stages it is a copy.
+        A field, or a component of one (stress.xy), as a read-only view without copy, brought up to date, one row per point in the present order. It keeps the simulation alive; later steps change it. In a scene with stages it is a copy.
         """
     def __init__(self, scene: Scene) -> None:
         ...

@@ -173,3 +173,18 @@ def test_lattice_fills_are_warned_of() -> None:
     scene.bodies[0].fill = "exact"
     assert lp.Simulation(scene)["volume"].sum() == pytest.approx(0.33**2, rel=1e-12)
     assert "the points of plate hold" not in lp._core.check_text(scene)
+
+
+def test_operators_put_shapes_together() -> None:
+    box, disk = lp.Box(lower=(0, 0), upper=(2, 1)), lp.Disk(center=(1, 0.5), radius=0.3)
+    assert box - disk == lp.Difference(shape=box, minus=disk)
+    assert box | disk == lp.Union(shapes=[box, disk])
+    assert box & disk == lp.Intersection(shapes=[box, disk])
+    assert box.translated((1, 2)) == lp.Translated(shape=box, by=(1, 2))
+    assert box.rotated(30) == lp.Rotated(shape=box, degrees=30)
+    turned = disk.rotated(30, center=(2, 0))
+    assert turned == lp.Rotated(shape=disk, degrees=30, center=(2, 0))
+    with pytest.raises(TypeError, match="unsupported operand"):
+        box - 3  # type: ignore[operator]
+    with pytest.raises(TypeError, match="unknown key 'centre'"):
+        box.rotated(30, centre=(2, 0))

@@ -60,8 +60,12 @@ def test_components_are_fields_by_name(falling: lp.Result) -> None:
     right = last.body("right")
     assert repr(right) == f"<body right, {len(right)} points>"
     np.testing.assert_array_equal(right["velocity.y"], last["velocity"][right.rows][:, 1])
-    with pytest.raises(KeyError, match=r"did you mean 'velocity\.x'"):
-        falling["velocity.q"]
+    simulation = falling.simulation
+    np.testing.assert_array_equal(simulation["stress.yy"], falling["stress.yy"])
+    np.testing.assert_array_equal(simulation.by_id("velocity.x"), falling.by_id("velocity.x"))
+    for state in (falling, simulation):
+        with pytest.raises(KeyError, match=r"did you mean 'velocity\.x'"):
+            state["velocity.q"]
 
 
 def test_xarray_holds_every_frame_with_units(falling: lp.Result) -> None:
