@@ -31,8 +31,8 @@ def test_example_is_as_its_case_says(path: Path) -> None:
 
 def test_check_says_what_is_modelled(turned: lp.Scene) -> None:
     text = _core.check_text(turned)
-    assert "equilibrium under load steps, implicit walls (mean-gap)" in text
-    assert "inertia, large strains, friction, walls that let go" in text
+    assert "equilibrium under load steps, supports that need not fit the grid (mean-gap)" in text
+    assert "inertia, large strains, friction, supports that let go" in text
     turned.bodies[0].fill = "lattice"
     assert "filled by a lattice" in _core.check_text(turned)
 
@@ -91,7 +91,7 @@ def failure(scene: lp.Scene) -> str:
 def test_a_wall_that_cuts_nothing_is_named(turned: lp.Scene) -> None:
     far = Frame(30).roller("far", (0.14, 0.0), (-1, 0))
     section(turned).supports = [*section(turned).supports, far]
-    assert "wall 'far' cuts no material" in refusal(turned)
+    assert "support 'far' cuts no material" in refusal(turned)
 
 
 def test_walls_that_contradict_each_other_are_named(turned: lp.Scene) -> None:
@@ -124,7 +124,7 @@ def test_a_step_that_pushes_points_through_a_wall_is_refused() -> None:
     settings.body_force = ramp([0.0, -2e10])
     said = failure(scene)
     assert "after 1 halvings" in said
-    assert "through wall 'base'" in said
+    assert "through support 'base'" in said
     assert "the last converged state is kept" in said
 
 

@@ -67,12 +67,13 @@ void describe_quasi_static(const Scene& scene, CheckReport& report) {
   report.modelled.push_back("equilibrium under load steps");
   const QuasiStaticSettings& settings = *scene.quasi_static;
   if (!settings.supports.empty()) {
-    report.modelled.push_back(message("implicit walls (", name_of(settings.enforcement), ")"));
+    report.modelled.push_back(
+        message("supports that need not fit the grid (", name_of(settings.enforcement), ")"));
   }
   if (!settings.tractions.empty()) {
     report.modelled.push_back("tractions");
   }
-  for (const char* absent : {"inertia", "large strains", "friction", "walls that let go"}) {
+  for (const char* absent : {"inertia", "large strains", "friction", "supports that let go"}) {
     report.not_modelled.push_back(absent);
   }
   for (const Body& body : scene.bodies) {
@@ -85,7 +86,7 @@ void describe_quasi_static(const Scene& scene, CheckReport& report) {
   if (!settings.hold_empty_cells && scene.grid.shape_function == ShapeFunction::linear) {
     report.say(
         "quasi_static.empty-cells",
-        "hold_empty_cells is off and shape functions are linear: a wall that moves into a cell "
+        "hold_empty_cells is off and shape functions are linear: a support that moves into a cell "
         "without points lets go");
   }
 }
@@ -152,7 +153,7 @@ void describe_dynamics(const Scene& scene, CheckReport& report) {
   }
   if (settings.grid_boundaries.empty()) {
     report.say("dynamics.no-walls",
-               "[dynamics] has no walls: a point that leaves the grid stops the run");
+               "[dynamics] has no grid boundaries: a point that leaves the grid stops the run");
   }
   std::ranges::copy(warnings(settings), std::back_inserter(report.notes));
   describe_transfer(scene, report);

@@ -153,21 +153,21 @@ constexpr IdleRule rules[] = {
     {"bodies[].motion.axis",
      [](const Scene& scene, std::size_t) { return dimension_of(scene) < 3; },
      "in two dimensions there is one axis"},
-    {"quasi_static.enforcement", whole<without_supports>, "there are no walls"},
+    {"quasi_static.enforcement", whole<without_supports>, "there are no supports"},
     {"quasi_static.bandwidth",
      [](const Scene& scene, std::size_t) {
        return without_supports(scene) || scene.quasi_static->enforcement == Enforcement::nitsche;
      },
-     "no wall has a stiff constraint"},
+     "no support has a stiff constraint"},
     {"quasi_static.gap_bandwidth",
      [](const Scene& scene, std::size_t) {
        return without_supports(scene) ||
               (scene.quasi_static->enforcement != Enforcement::mean_gap &&
                scene.quasi_static->enforcement != Enforcement::nitsche);
      },
-     "no wall has a moderate constraint"},
-    {"quasi_static.hold_empty_cells", whole<without_supports>, "there are no walls"},
-    {"quasi_static.max_penetration", whole<without_supports>, "there are no walls"},
+     "no support has a moderate constraint"},
+    {"quasi_static.hold_empty_cells", whole<without_supports>, "there are no supports"},
+    {"quasi_static.max_penetration", whole<without_supports>, "there are no supports"},
     {"peridynamics.heat.viscous_dissipation", whole<without_flow>,
      "nothing flows without [peridynamics.flow]"},
     {"peridynamics.heat.zero_energy",

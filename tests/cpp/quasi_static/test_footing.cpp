@@ -94,5 +94,5 @@ TEST_CASE("footing: the paper's rule loses the wall in empty cells and is refuse
   const Pressed pressed = press(17, ShapeFunction::linear, paper);
   INFO(pressed.error);
   CHECK_FALSE(pressed.finished);
-  CHECK(pressed.error.find("wall 'footing'") != std::string::npos);
+  CHECK(pressed.error.find("support 'footing'") != std::string::npos);
 }

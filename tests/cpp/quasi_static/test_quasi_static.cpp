@@ -158,10 +158,10 @@ TEST_CASE("quasi-static: a traction stretches a bar") {
 TEST_CASE("quasi-static: a wall that cuts nothing is refused by name") {
   Block block;
   block.settings.supports.push_back(wall("far", HeldMotion::fixed, side(5.5, 0.0, 1.0, 0.0), true));
-  CHECK_THAT(block.refusal(), Contains("wall 'far' cuts no material"));
+  CHECK_THAT(block.refusal(), Contains("support 'far' cuts no material"));
   Block wrong_side;
   wrong_side.settings.supports.push_back({"line", HeldMotion::fixed, {}, {}});
-  CHECK_THAT(wrong_side.refusal(), Contains("wall 'line' needs either a shape or a line"));
+  CHECK_THAT(wrong_side.refusal(), Contains("support 'line' needs either a shape or a line"));
 }
 
 TEST_CASE("quasi-static: contradicting walls are named") {
@@ -210,7 +210,7 @@ TEST_CASE("quasi-static: a step that pushes points through a wall is halved, the
   block.start();
   const std::vector<double> before = block.state();
   CHECK_THROWS_WITH(block.physics->advance({0.0, 1.0, 0}),
-                    Contains("after 0 halvings") && Contains("through wall 'base'") &&
+                    Contains("after 0 halvings") && Contains("through support 'base'") &&
                         Contains("last converged state is kept"));
   CHECK(block.state() == before);
   Block patient;
@@ -234,7 +234,7 @@ TEST_CASE("quasi-static: an indefinite matrix is refused") {
       {"left", HeldMotion::fixed, {{}, false, {{0.999, 3.0}, {0.999, 0.0}}, {}}, {}}};
   QuasiStatic<2> physics(points, grid, ShapeFunction::linear, {elastic}, settings);
   CHECK_THROWS_WITH(physics.advance({0.0, 1.0, 0}),
-                    Contains("not positive definite") && Contains("wall 'left'"));
+                    Contains("not positive definite") && Contains("support 'left'"));
 }
 
 TEST_CASE("quasi-static: settings out of range are refused") {

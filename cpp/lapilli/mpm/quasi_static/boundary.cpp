@@ -92,7 +92,7 @@ Boundary<Dim>::Boundary(const QuasiStaticSettings& settings, std::vector<Shape> 
   for (const SupportSettings& wall : settings.supports) {
     names_.push_back(wall.name.empty() ? message(names_.size() + 1) : wall.name);
     kinds_.push_back(wall.kind);
-    walls_.emplace_back(wall.surface, wall.displacement, "wall '" + names_.back() + "'",
+    walls_.emplace_back(wall.surface, wall.displacement, "support '" + names_.back() + "'",
                         wall.advance);
   }
   for (const TractionSettings& traction : settings.tractions) {
@@ -220,7 +220,7 @@ bool Boundary<Dim>::is_held_across(const Vec<Dim>& place, double time, double ce
 
 template <int Dim>
 std::string Boundary<Dim>::nearest_wall(const Vec<Dim>& place) const {
-  std::string near = "no wall";
+  std::string near = "no support";
   double least = std::numeric_limits<double>::infinity();
   for (const auto& wall : walls_) {
     const auto gap = wall.gap(in_space<Dim>(place), 0.0);

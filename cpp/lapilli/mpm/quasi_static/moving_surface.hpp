@@ -14,7 +14,7 @@ template <int Dim>
 class MovingSurface {
  public:
   /// Throws std::invalid_argument when the surface or its displacement cannot be used; `what` names
-  /// it ("wall 'footing'").
+  /// it ("support 'footing'").
   MovingSurface(const SurfaceSettings& settings, const std::vector<Value>& displacement,
                 std::string what, const Value& advance = 0.0);
 

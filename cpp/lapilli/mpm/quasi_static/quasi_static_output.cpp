@@ -191,7 +191,7 @@ std::vector<std::pair<std::string, double>> QuasiStatic<Dim>::diagnostics() cons
   const char* axes[] = {"x", "y", "z"};
   for (std::size_t w = 0; w < boundary_.walls(); ++w) {
     for (int axis = 0; axis < Dim; ++axis) {
-      numbers.emplace_back("force of " + boundary_.wall(w).what() + " along " + axes[axis],
+      numbers.emplace_back("force of wall '" + boundary_.names()[w] + "' along " + axes[axis],
                            support_forces_[w][axis]);
     }
   }

@@ -75,7 +75,7 @@ struct SupportSettings {
     visit(Key("displacement")
               .unit("m")
               .length(0, 3)
-              .text("of the wall since time 0, one value an axis; empty: it stands"),
+              .text("of the support since time 0, one value an axis; empty: it stands"),
           self.displacement);
     visit(Key("advance").unit("m").text(
               "of the face along its normal into the material since time 0: a hole that widens"),
@@ -131,7 +131,7 @@ struct QuasiStaticSettings {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("enforcement").text("how walls are imposed where they do not fit the grid"),
+    visit(Key("enforcement").text("how supports are imposed where they do not fit the grid"),
           self.enforcement);
     visit(Key("bandwidth")
               .unit("cells")
@@ -149,8 +149,9 @@ struct QuasiStaticSettings {
               .range(0.0, 1.0)
               .text("stabilisation of cut and surface cells; absent: 0.01, literal none"),
           self.ghost_penalty);
-    visit(Key("hold_empty_cells").text("a wall in an empty cell next to material keeps its hold"),
-          self.hold_empty_cells);
+    visit(
+        Key("hold_empty_cells").text("a support in an empty cell next to material keeps its hold"),
+        self.hold_empty_cells);
     visit(Key("reset").unit("cells").range(0.0, 1.0).text(
               "points keep their shape functions until one has moved this far; absent: 0.1, "
               "literal 0"),
@@ -174,7 +175,7 @@ struct QuasiStaticSettings {
     visit(Key("max_penetration")
               .unit("cells")
               .positive()
-              .text("a point further behind a wall fails the load step"),
+              .text("a point further behind a support fails the load step"),
           self.max_penetration);
     visit(Key("gravity").unit("m/s^2").length(0, 3).text(
               "acts on the density of every body, one value an axis; empty: none"),

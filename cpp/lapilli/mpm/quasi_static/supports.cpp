@@ -197,7 +197,7 @@ void require_held(const Grid<Dim>& grid, const Points& points, const PointWeight
       }
       throw RunError(message("body ", bodies, ": the material around ", text<Dim>(part.middle()),
                              " m is held by nothing against ", free,
-                             ": add a wall that stops it, or remove this part"));
+                             ": add a support that stops it, or remove this part"));
     }
   }
 }
@@ -230,7 +230,7 @@ void require_agreeing(const Grid<Dim>& grid, std::span<const Facet<Dim>> facets,
                               held_directions<Dim>(kinds[other.surface], normal);
         const Vec<Dim> difference = both * (motions[b].front() - motions[a].front());
         if (difference.norm() > 1e-9 * grid.cell_size()) {
-          throw RunError(message("walls '", names[one.surface], "' and '", names[other.surface],
+          throw RunError(message("supports '", names[one.surface], "' and '", names[other.surface],
                                  "' contradict each other near ", text<Dim>(one.centre()),
                                  " m: on the same surface their displacements differ by ",
                                  difference.norm(), " m in this load step"));
