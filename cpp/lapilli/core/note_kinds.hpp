@@ -63,6 +63,10 @@ inline constexpr NoteKind note_kinds[] = {
      "Conditions of different temperature meet on a surface: heat passes straight from one to the "
      "other within less than a cell, and the heat of each alone is off.",
      "Trust the sum of both; smaller cells there."},
+    {"heat.flux-beside",
+     "A flux ends beside a condition that comes near to holding the surface, to which part of it "
+     "passes straight.",
+     "Smaller cells there; the note says how far off the heat is."},
     {"heat.unlike-contact",
      "A body that moves touches one that conducts fifty times better, or more.",
      "Smaller cells, so that heat is a few of them deep."},

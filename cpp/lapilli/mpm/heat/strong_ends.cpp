@@ -57,7 +57,7 @@ double StrongEnds<Dim>::reach(int law, int beside, const Vec<Dim>& normal) const
 
 /// Who is beside a piece of a condition, and how wide a strip that one has of it, m.
 template <int Dim>
-std::pair<int, double> StrongEnds<Dim>::strip_of(int law, const SurfacePiece<Dim>& piece) {
+typename StrongEnds<Dim>::Strip StrongEnds<Dim>::strip_of(int law, const SurfacePiece<Dim>& piece) {
   const Vec<Dim> middle = piece.middle();
   const double own = reach(law, SurfaceDivision<Dim>::nobody, piece.normal);
   double size = 0.0;
@@ -65,7 +65,7 @@ std::pair<int, double> StrongEnds<Dim>::strip_of(int law, const SurfacePiece<Dim
     size = std::max(size, (corner - middle).norm());
   }
   if (!(own > 0.0) || !division_.may_end_near(law, middle, own + size)) {
-    return {law, 0.0};
+    return {};
   }
   for (const Vec<Dim>& corner : piece.corners) {
     const Vec<Dim> at = corner + 1e-3 * (middle - corner);
@@ -75,30 +75,30 @@ std::pair<int, double> StrongEnds<Dim>::strip_of(int law, const SurfacePiece<Dim
         parts_[static_cast<std::size_t>(law)].held_beside = *other;
       }
       const bool takes = *other >= 0 && coefficient_[static_cast<std::size_t>(*other)] > 0.0;
-      return {takes ? *other : SurfaceDivision<Dim>::nobody,
+      return {takes ? *other : SurfaceDivision<Dim>::nobody, *other,
               reach(law, *other, piece.normal) - reach(*other, law, piece.normal)};
     }
   }
-  return {law, 0.0};
+  return {};
 }
 
 template <int Dim>
 void StrongEnds<Dim>::add(int law, const SurfacePiece<Dim>& piece) {
   Parts& parts = parts_[static_cast<std::size_t>(law)];
-  const auto [heir, width] = cell_ > 0.0 ? strip_of(law, piece) : std::pair(law, 0.0);
-  if (!(width > 0.0)) {
+  const Strip found = cell_ > 0.0 ? strip_of(law, piece) : Strip();
+  if (!(found.width > 0.0)) {
     parts.kept.push_back(piece);
     return;
   }
   const auto side = [&](double sign) {
-    return SurfacePiece<Dim>{trim_straight<Dim>(
-                                 piece.corners,
-                                 [&, width = width](const Vec<Dim>& at) {
-                                   return division_.beside(law, at, piece.normal, width) ? -sign
-                                                                                         : sign;
-                                 },
-                                 0.0),
-                             piece.normal};
+    return SurfacePiece<Dim>{
+        trim_straight<Dim>(
+            piece.corners,
+            [&](const Vec<Dim>& at) {
+              return division_.beside(law, at, piece.normal, found.width) ? -sign : sign;
+            },
+            0.0),
+        piece.normal};
   };
   const auto is_there = [](const SurfacePiece<Dim>& one) {
     return one.corners.size() >= static_cast<std::size_t>(Dim);
@@ -107,7 +107,11 @@ void StrongEnds<Dim>::add(int law, const SurfacePiece<Dim>& piece) {
     parts.kept.push_back(kept);
   }
   if (const SurfacePiece<Dim> strip = side(-1.0); is_there(strip)) {
-    parts.lost.emplace_back(heir, strip);
+    parts.lost.emplace_back(found.heir, strip);
+    if (found.beside >= 0) {
+      parts.lost_beside.resize(parts_.size(), 0.0);
+      parts.lost_beside[static_cast<std::size_t>(found.beside)] += strip.area();
+    }
   }
 }
 
@@ -121,6 +125,7 @@ std::vector<std::vector<SurfacePiece<Dim>>> StrongEnds<Dim>::pieces(SurfaceFound
   for (std::size_t law = 0; law < parts_.size(); ++law) {
     SurfaceFound::Ends& ends = found.ends[law];
     ends.held_beside = parts_[law].held_beside;
+    ends.lost_beside = parts_[law].lost_beside;
     for (const SurfacePiece<Dim>& piece : parts_[law].kept) {
       ends.area += piece.area();
     }

@@ -28,14 +28,21 @@ class StrongEnds {
   std::vector<std::vector<SurfacePiece<Dim>>> pieces(SurfaceFound& found) const;
 
  private:
+  /// Who has a strip of a piece, which condition is beside it (or nobody), and its width, m.
+  struct Strip {
+    int heir = SurfaceDivision<Dim>::nobody, beside = SurfaceDivision<Dim>::nobody;
+    double width = 0.0;
+  };
+
   struct Parts {
     std::vector<SurfacePiece<Dim>> kept;
     std::vector<std::pair<int, SurfacePiece<Dim>>> lost;  // with who has them
+    std::vector<double> lost_beside;                      // m^(dim-1), by condition
     int held_beside = -1;
   };
 
   double reach(int law, int beside, const Vec<Dim>& normal) const;
-  std::pair<int, double> strip_of(int law, const SurfacePiece<Dim>& piece);
+  Strip strip_of(int law, const SurfacePiece<Dim>& piece);
 
   const HeatProblem<Dim>& problem_;
   const HeatBody& body_;
