@@ -69,6 +69,7 @@ struct SurfaceFound {
   struct Ends {
     double area = 0.0;                // m^(dim-1), as drawn
     double lost = 0.0;                // of it, at ends within a face
+    double beyond = 0.0;              // of it, outside of the region of the condition
     int held_beside = -1;             // another that holds the surface up to an end of this one
     std::vector<double> lost_beside;  // of what is lost, by the condition beside it, m^(dim-1)
   };

@@ -154,8 +154,8 @@ std::vector<Note> crossing_heat(std::span<const SurfaceFound> found,
 std::vector<Note> fluxes_beside(std::span<const SurfaceFound> found, const HeatSettings& settings,
                                 const ConditionAccount& heat) {
   // Of the strip that is lost, .19 cells where the surface is held. Disks and boxes of 8 to 32
-  // cells, times of .02 to .4, anywhere on the grid: .08 cells of the flux off, .17 at worst.
-  constexpr double known_to = 0.5;
+  // cells, times of .02 to .4, anywhere on the grid: .08 cells of the flux off, .21 at worst.
+  constexpr double known_to = 0.7;
   const std::size_t laws = settings.boundaries.size();
   std::vector<double> area(laws, 0.0);
   for (const SurfaceFound& body : found) {

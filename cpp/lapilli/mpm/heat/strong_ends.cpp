@@ -6,6 +6,7 @@
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/mpm/heat/meeting_conditions.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
+#include "lapilli/mpm/surface/surface_regions.hpp"
 
 namespace lapilli {
 namespace {
@@ -16,6 +17,7 @@ constexpr double half_reach_at = 1.3;  // conductivities / cell, beside nobody
 constexpr double half_between = 9.5;   // the same beside another that is strong
 constexpr double weakest = 13.0;       // times that, and weaker: as drawn
 constexpr double most_lost = 0.5;      // of the surface of a condition
+constexpr double is_beyond = 0.05;     // cells; regions that end nearer below a face are to have it
 
 }  // namespace
 
@@ -85,6 +87,13 @@ typename StrongEnds<Dim>::Strip StrongEnds<Dim>::strip_of(int law, const Surface
 template <int Dim>
 void StrongEnds<Dim>::add(int law, const SurfacePiece<Dim>& piece) {
   Parts& parts = parts_[static_cast<std::size_t>(law)];
+  if (const Shape* region =
+          region_of(problem_.settings.boundaries[static_cast<std::size_t>(law)])) {
+    Vec3 middle = Vec3::Zero();
+    middle.template head<Dim>() = piece.middle();
+    const bool outside = distance(*region, middle) > is_beyond * problem_.grid.cell_size();
+    parts.beyond += outside ? piece.area() : 0.0;
+  }
   const Strip found = cell_ > 0.0 ? strip_of(law, piece) : Strip();
   if (!(found.width > 0.0)) {
     parts.kept.push_back(piece);
@@ -110,7 +119,8 @@ void StrongEnds<Dim>::add(int law, const SurfacePiece<Dim>& piece) {
     parts.lost.emplace_back(found.heir, strip);
     if (found.beside >= 0) {
       parts.lost_beside.resize(parts_.size(), 0.0);
-      parts.lost_beside[static_cast<std::size_t>(found.beside)] += strip.area();
+      parts.lost_beside[static_cast<std::size_t>(found.beside)] +=
+          found.width / (held_reach * cell_) * strip.area();
     }
   }
 }
@@ -126,6 +136,7 @@ std::vector<std::vector<SurfacePiece<Dim>>> StrongEnds<Dim>::pieces(SurfaceFound
     SurfaceFound::Ends& ends = found.ends[law];
     ends.held_beside = parts_[law].held_beside;
     ends.lost_beside = parts_[law].lost_beside;
+    ends.beyond = parts_[law].beyond;
     for (const SurfacePiece<Dim>& piece : parts_[law].kept) {
       ends.area += piece.area();
     }
@@ -160,6 +171,29 @@ std::vector<Note> narrow_holds(std::span<const SurfaceFound> found, const HeatSe
                          ") all but holds a strip of the surface a few cells wide, at whose "
                          "ends heat crowds: its heat may be off by ",
                          std::lround(100.0 * off), " %; halve grid.cell to halve that"));
+    }
+  }
+  return all;
+}
+
+std::vector<Note> regions_below(std::span<const SurfaceFound> found, const HeatSettings& settings,
+                                double cell_size) {
+  constexpr double told = 0.02;
+  std::vector<Note> all;
+  for (std::size_t law = 0; law < settings.boundaries.size(); ++law) {
+    double area = 0.0, outside = 0.0;
+    for (const SurfaceFound& body : found) {
+      area += law < body.ends.size() ? body.ends[law].area : 0.0;
+      outside += law < body.ends.size() ? body.ends[law].beyond : 0.0;
+    }
+    if (outside > told * area) {
+      all.push_back(note("heat.region-below", "heat.boundaries.", law, " (",
+                         name_of_law(settings.boundaries[law], law),
+                         "): ", std::lround(100.0 * outside / area),
+                         " % of its surface lies outside of its region, which ends less than ",
+                         region_slack * cell_size,
+                         " m below and so has it; let the region end beyond that surface if it is "
+                         "meant, further below if not"));
     }
   }
   return all;
