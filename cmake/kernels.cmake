@@ -70,6 +70,7 @@ set(kernels
     mpm/heat/surface_conditions.cpp
     mpm/heat/surface_term.cpp
     mpm/heat/theta_solver.cpp
+    mpm/heat/thin_columns.cpp
     mpm/heat/touching_surface.cpp
     mpm/quasi_static/boundary.cpp
     mpm/quasi_static/equilibrium.cpp

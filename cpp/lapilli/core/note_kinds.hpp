@@ -54,6 +54,10 @@ inline constexpr NoteKind note_kinds[] = {
     {"heat.narrow-hold",
      "A temperature is held, or all but, on a strip of the surface a few cells wide.",
      "Smaller cells; the note says how far off the heat is."},
+    {"heat.region-below",
+     "The region of a condition ends less than a third of a cell below a face that it runs along, "
+     "and has it.",
+     "Let it end beyond the face, or further below."},
     {"heat.shallow", "A run ends before heat has come as deep as the cells at the surface.",
      "The cells that the note names, or a later end."},
     {"heat.held-side-by-side",
@@ -63,6 +67,10 @@ inline constexpr NoteKind note_kinds[] = {
      "Conditions of different temperature meet on a surface: heat passes straight from one to the "
      "other within less than a cell, and the heat of each alone is off.",
      "Trust the sum of both; smaller cells there."},
+    {"heat.flux-beside",
+     "A flux ends beside a condition that comes near to holding the surface, to which part of it "
+     "passes straight.",
+     "Smaller cells there; the note says how far off the heat is."},
     {"heat.unlike-contact",
      "A body that moves touches one that conducts fifty times better, or more.",
      "Smaller cells, so that heat is a few of them deep."},

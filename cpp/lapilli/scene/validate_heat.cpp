@@ -99,7 +99,7 @@ std::vector<Note> strong_convection_warnings(const Scene& scene) {
     const auto* thermal = material_in<Thermal>(body);
     if (thermal != nullptr && largest_conductivity(*thermal) < least) {
       least = largest_conductivity(*thermal);
-      cells = std::sqrt(least / thermal->capacity() * scene.time.end) / scene.grid.cell;
+      cells = depth_of_heat(*thermal, scene.time.end) / scene.grid.cell;
       warmest = body.temperature.is_function() ? 0.0 : body.temperature.largest() - zero;
     }
   }

@@ -218,3 +218,38 @@ def test_a_bar_of_peridynamics_is_right_or_says_so(depth: float, coefficient: fl
     found = simulation.balance()[0].entries["wall hot"] / (0.5 * deep) - 1
     assert abs(found) < max(0.013, 1.3 * share_told(scene))
     assert (share_told(scene) > 0.0) == (depth < 2.6)
+
+
+def apart(**moved: object) -> lp.Scene:
+    """Two bodies in contact, for heat one cell deep; drawn apart, the second is moved."""
+    scene = two_blocks(4.0, 1.0, 1, obstacle=False)
+    for body, at in zip(scene.bodies, (0.0, -1.0), strict=True):
+        body.shape = lp.Box(lower=(-0.3, at), upper=(0.3, at + 0.6))
+    for key, value in moved.items():
+        setattr(scene.bodies[1], key, value)
+    return scene
+
+
+def test_bodies_touch_where_they_stand() -> None:
+    """Their shapes as drawn were looked at: what was moved there passed in silence."""
+    assert notes(apart()) == []
+    assert len(notes(apart(translation=[0.0, 0.4]))) == 1
+    assert len(notes(apart(rotation=180.0, rotation_center=[0.0, -0.5]))) == 1
+    assert notes(apart(translation=[0.0, -0.4])) == []
+
+
+@pytest.mark.parametrize("first", [True, False])
+def test_a_condition_of_one_of_two_bodies(first: bool) -> None:
+    """Conditions with a region were not looked at where there are several bodies."""
+    scene = box(np.inf, 0.5, 1)
+    body = scene.bodies[0]
+    good = lp.Thermal(density=2.0, specific_heat=3.0, conductivity=6000.0)
+    body.shape = lp.Box(lower=(-1.0, -0.6), upper=(-0.1, 0.6))
+    other = lp.Body(name="good", shape=lp.Box(lower=(0.1, -0.6), upper=(1.0, 0.6)), material=good)
+    both = [body, other] if first else [other, body]
+    assert scene.heat is not None
+    for k, lower in enumerate((-1.5, 0.05)):
+        region = lp.Box(lower=(lower, -1.0), upper=(lower + 1.45, 1.0))
+        scene.bodies = both
+        scene.heat.boundaries = [lp.PrescribedTemperature(name="all", value=1.0, region=region)]
+        assert bool(notes(scene)) == (k == 0)

@@ -1,13 +1,12 @@
 #include "lapilli/mpm/heat/common_nodes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
-#include "lapilli/geometry/shape.hpp"
+#include "lapilli/geometry/come_near.hpp"
 #include "lapilli/mpm/heat/cut_bodies.hpp"
 
 namespace lapilli {
@@ -15,37 +14,8 @@ namespace {
 
 constexpr double reach = 1.5;  // cells, within which bodies share nodes
 
-/// Whether there is a place from which both are this near together, of those a cell apart.
-bool come_near(const HeatBody& one, const HeatBody& other, double cell) {
-  if (!one.shape || !other.shape) {
-    return true;
-  }
-  const double way = reach * cell;
-  const Bounds a = bounds(*one.shape), b = bounds(*other.shape);
-  const Vec3 lower = a.lower.cwiseMax(b.lower) - Vec3::Constant(way);
-  const Vec3 span = a.upper.cwiseMin(b.upper) + Vec3::Constant(way) - lower;
-  if (span.minCoeff() < 0.0) {
-    return false;
-  }
-  Vec3 from = Vec3::Zero();
-  std::array<Index, 3> count{1, 1, 1};  // along axes without an end: the third of a plane
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::isfinite(span[axis])) {
-      from[axis] = lower[axis];
-      count[static_cast<std::size_t>(axis)] = static_cast<Index>(span[axis] / cell) + 2;
-    }
-  }
-  for (Index k = 0; k < count[0] * count[1] * count[2]; ++k) {
-    const Index steps[] = {k % count[0], k / count[0] % count[1], k / count[0] / count[1]};
-    const Vec3 place =
-        from + cell * Vec3(static_cast<double>(steps[0]), static_cast<double>(steps[1]),
-                           static_cast<double>(steps[2]));
-    if (std::max(0.0, distance(*one.shape, place)) + std::max(0.0, distance(*other.shape, place)) <=
-        way) {
-      return true;
-    }
-  }
-  return false;
+bool are_near(const HeatBody& one, const HeatBody& other, double cell) {
+  return !one.shape || !other.shape || come_near(*one.shape, *other.shape, reach * cell, cell);
 }
 
 struct UnlikePair {
@@ -69,7 +39,7 @@ std::optional<UnlikePair> least_alike(const std::vector<std::vector<std::size_t>
           const double contrast = largest_conductivity(bodies[good].material) /
                                   std::max(largest_conductivity(bodies[poor].material), 1e-300);
           if (contrast >= least && contrast > (worst ? worst->contrast : 0.0) &&
-              come_near(bodies[poor], bodies[good], cell_size)) {
+              are_near(bodies[poor], bodies[good], cell_size)) {
             worst = {poor, good, contrast};
           }
         }

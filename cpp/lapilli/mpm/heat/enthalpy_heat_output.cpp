@@ -160,6 +160,10 @@ std::vector<Note> EnthalpyHeat<Dim>::warnings() const {
   std::ranges::copy(drawn_gaps(found_, problem_.bodies, problem_.grid.cell_size(), Dim),
                     std::back_inserter(all));
   std::ranges::copy(narrow_holds(found_, problem_.settings), std::back_inserter(all));
+  std::ranges::copy(regions_below(found_, problem_.settings, problem_.grid.cell_size()),
+                    std::back_inserter(all));
+  std::ranges::copy(fluxes_beside(found_, problem_.settings, laws_.account()),
+                    std::back_inserter(all));
   std::ranges::copy(crossing_heat(found_, problem_.bodies, problem_.settings, laws_.account(),
                                   problem_.grid.cell_size(), time_),
                     std::back_inserter(all));

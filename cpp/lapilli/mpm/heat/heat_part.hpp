@@ -67,9 +67,11 @@ struct SurfaceFound {
 
   /// Of a condition that comes near to holding the surface.
   struct Ends {
-    double area = 0.0;     // m^(dim-1), as drawn
-    double lost = 0.0;     // of it, at ends within a face
-    int held_beside = -1;  // another that holds the surface up to an end of this one
+    double area = 0.0;                // m^(dim-1), as drawn
+    double lost = 0.0;                // of it, at ends within a face
+    double beyond = 0.0;              // of it, outside of the region of the condition
+    int held_beside = -1;             // another that holds the surface up to an end of this one
+    std::vector<double> lost_beside;  // of what is lost, by the condition beside it, m^(dim-1)
   };
   std::vector<Ends> ends;  // by condition
 

@@ -151,6 +151,52 @@ std::vector<Note> crossing_heat(std::span<const SurfaceFound> found,
   return all;
 }
 
+std::vector<Note> fluxes_beside(std::span<const SurfaceFound> found, const HeatSettings& settings,
+                                const ConditionAccount& heat) {
+  // Of the strip that is lost, .19 cells where the surface is held. Disks and boxes of 8 to 32
+  // cells, times of .02 to .4, anywhere on the grid: .08 cells of the flux off, .21 at worst.
+  constexpr double known_to = 0.7;
+  const std::size_t laws = settings.boundaries.size();
+  std::vector<double> area(laws, 0.0);
+  for (const SurfaceFound& body : found) {
+    for (std::size_t law = 0; law < body.ends.size(); ++law) {
+      area[law] += body.ends[law].area;
+    }
+  }
+  std::vector<Note> all;
+  for (std::size_t law = 0; law < laws; ++law) {
+    double worst = 0.0;
+    std::size_t beside = laws;
+    for (std::size_t flux = 0; flux < laws; ++flux) {
+      double lost = 0.0;
+      for (const SurfaceFound& body : found) {
+        const bool ends = law < body.ends.size() && !body.ends[law].lost_beside.empty();
+        lost += ends ? body.ends[law].lost_beside[flux] : 0.0;
+      }
+      if (!(lost > 0.0) || surroundings_of(settings.boundaries[flux]) != nullptr) {
+        continue;
+      }
+      // What all leaves by the other in the end does so whatever the way.
+      const double kept =
+          std::min(std::abs(heat.heat(flux)), std::abs(heat.heat(flux) + heat.heat(law)));
+      if (const double off = known_to * lost / area[flux] * kept; off > worst) {
+        worst = off;
+        beside = flux;
+      }
+    }
+    const double off = worst / std::abs(heat.heat(law));
+    if (off > least_share) {
+      all.push_back(
+          note("heat.flux-beside", "heat.boundaries.", beside, " (",
+               name_of_law(settings.boundaries[beside], beside), ") is a flux that ends beside .",
+               law, " (", name_of_law(settings.boundaries[law], law),
+               "), and part of it passes straight there: the heat of the latter may be ", "off by ",
+               std::lround(100.0 * std::min(1.0, off)), " %; halve grid.cell to halve that"));
+    }
+  }
+  return all;
+}
+
 template std::vector<SurfaceFound::Meeting> find_meetings<1>(
     const std::vector<std::vector<SurfacePiece<1>>>&, std::span<const double>, double);
 template std::vector<SurfaceFound::Meeting> find_meetings<2>(

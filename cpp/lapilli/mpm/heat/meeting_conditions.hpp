@@ -25,4 +25,9 @@ std::vector<Note> crossing_heat(std::span<const SurfaceFound> found,
                                 const std::vector<HeatBody>& bodies, const HeatSettings& settings,
                                 const ConditionAccount& heat, double cell_size, double time);
 
+/// What to warn of where a flux ends beside a condition that comes near to holding the surface: of
+/// what enters by that end, what passes straight to the other depends on where cells end it.
+std::vector<Note> fluxes_beside(std::span<const SurfaceFound> found, const HeatSettings& settings,
+                                const ConditionAccount& heat);
+
 }  // namespace lapilli

@@ -6,6 +6,7 @@
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/mpm/heat/meeting_conditions.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
+#include "lapilli/mpm/surface/surface_regions.hpp"
 
 namespace lapilli {
 namespace {
@@ -16,6 +17,7 @@ constexpr double half_reach_at = 1.3;  // conductivities / cell, beside nobody
 constexpr double half_between = 9.5;   // the same beside another that is strong
 constexpr double weakest = 13.0;       // times that, and weaker: as drawn
 constexpr double most_lost = 0.5;      // of the surface of a condition
+constexpr double is_beyond = 0.05;     // cells; regions that end nearer below a face are to have it
 
 }  // namespace
 
@@ -57,7 +59,7 @@ double StrongEnds<Dim>::reach(int law, int beside, const Vec<Dim>& normal) const
 
 /// Who is beside a piece of a condition, and how wide a strip that one has of it, m.
 template <int Dim>
-std::pair<int, double> StrongEnds<Dim>::strip_of(int law, const SurfacePiece<Dim>& piece) {
+typename StrongEnds<Dim>::Strip StrongEnds<Dim>::strip_of(int law, const SurfacePiece<Dim>& piece) {
   const Vec<Dim> middle = piece.middle();
   const double own = reach(law, SurfaceDivision<Dim>::nobody, piece.normal);
   double size = 0.0;
@@ -65,7 +67,7 @@ std::pair<int, double> StrongEnds<Dim>::strip_of(int law, const SurfacePiece<Dim
     size = std::max(size, (corner - middle).norm());
   }
   if (!(own > 0.0) || !division_.may_end_near(law, middle, own + size)) {
-    return {law, 0.0};
+    return {};
   }
   for (const Vec<Dim>& corner : piece.corners) {
     const Vec<Dim> at = corner + 1e-3 * (middle - corner);
@@ -75,30 +77,37 @@ std::pair<int, double> StrongEnds<Dim>::strip_of(int law, const SurfacePiece<Dim
         parts_[static_cast<std::size_t>(law)].held_beside = *other;
       }
       const bool takes = *other >= 0 && coefficient_[static_cast<std::size_t>(*other)] > 0.0;
-      return {takes ? *other : SurfaceDivision<Dim>::nobody,
+      return {takes ? *other : SurfaceDivision<Dim>::nobody, *other,
               reach(law, *other, piece.normal) - reach(*other, law, piece.normal)};
     }
   }
-  return {law, 0.0};
+  return {};
 }
 
 template <int Dim>
 void StrongEnds<Dim>::add(int law, const SurfacePiece<Dim>& piece) {
   Parts& parts = parts_[static_cast<std::size_t>(law)];
-  const auto [heir, width] = cell_ > 0.0 ? strip_of(law, piece) : std::pair(law, 0.0);
-  if (!(width > 0.0)) {
+  if (const Shape* region =
+          region_of(problem_.settings.boundaries[static_cast<std::size_t>(law)])) {
+    Vec3 middle = Vec3::Zero();
+    middle.template head<Dim>() = piece.middle();
+    const bool outside = distance(*region, middle) > is_beyond * problem_.grid.cell_size();
+    parts.beyond += outside ? piece.area() : 0.0;
+  }
+  const Strip found = cell_ > 0.0 ? strip_of(law, piece) : Strip();
+  if (!(found.width > 0.0)) {
     parts.kept.push_back(piece);
     return;
   }
   const auto side = [&](double sign) {
-    return SurfacePiece<Dim>{trim_straight<Dim>(
-                                 piece.corners,
-                                 [&, width = width](const Vec<Dim>& at) {
-                                   return division_.beside(law, at, piece.normal, width) ? -sign
-                                                                                         : sign;
-                                 },
-                                 0.0),
-                             piece.normal};
+    return SurfacePiece<Dim>{
+        trim_straight<Dim>(
+            piece.corners,
+            [&](const Vec<Dim>& at) {
+              return division_.beside(law, at, piece.normal, found.width) ? -sign : sign;
+            },
+            0.0),
+        piece.normal};
   };
   const auto is_there = [](const SurfacePiece<Dim>& one) {
     return one.corners.size() >= static_cast<std::size_t>(Dim);
@@ -107,7 +116,12 @@ void StrongEnds<Dim>::add(int law, const SurfacePiece<Dim>& piece) {
     parts.kept.push_back(kept);
   }
   if (const SurfacePiece<Dim> strip = side(-1.0); is_there(strip)) {
-    parts.lost.emplace_back(heir, strip);
+    parts.lost.emplace_back(found.heir, strip);
+    if (found.beside >= 0) {
+      parts.lost_beside.resize(parts_.size(), 0.0);
+      parts.lost_beside[static_cast<std::size_t>(found.beside)] +=
+          found.width / (held_reach * cell_) * strip.area();
+    }
   }
 }
 
@@ -121,6 +135,8 @@ std::vector<std::vector<SurfacePiece<Dim>>> StrongEnds<Dim>::pieces(SurfaceFound
   for (std::size_t law = 0; law < parts_.size(); ++law) {
     SurfaceFound::Ends& ends = found.ends[law];
     ends.held_beside = parts_[law].held_beside;
+    ends.lost_beside = parts_[law].lost_beside;
+    ends.beyond = parts_[law].beyond;
     for (const SurfacePiece<Dim>& piece : parts_[law].kept) {
       ends.area += piece.area();
     }
@@ -155,6 +171,29 @@ std::vector<Note> narrow_holds(std::span<const SurfaceFound> found, const HeatSe
                          ") all but holds a strip of the surface a few cells wide, at whose "
                          "ends heat crowds: its heat may be off by ",
                          std::lround(100.0 * off), " %; halve grid.cell to halve that"));
+    }
+  }
+  return all;
+}
+
+std::vector<Note> regions_below(std::span<const SurfaceFound> found, const HeatSettings& settings,
+                                double cell_size) {
+  constexpr double told = 0.02;
+  std::vector<Note> all;
+  for (std::size_t law = 0; law < settings.boundaries.size(); ++law) {
+    double area = 0.0, outside = 0.0;
+    for (const SurfaceFound& body : found) {
+      area += law < body.ends.size() ? body.ends[law].area : 0.0;
+      outside += law < body.ends.size() ? body.ends[law].beyond : 0.0;
+    }
+    if (outside > told * area) {
+      all.push_back(note("heat.region-below", "heat.boundaries.", law, " (",
+                         name_of_law(settings.boundaries[law], law),
+                         "): ", std::lround(100.0 * outside / area),
+                         " % of its surface lies outside of its region, which ends less than ",
+                         region_slack * cell_size,
+                         " m below and so has it; let the region end beyond that surface if it is "
+                         "meant, further below if not"));
     }
   }
   return all;

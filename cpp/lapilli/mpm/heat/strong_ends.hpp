@@ -28,14 +28,22 @@ class StrongEnds {
   std::vector<std::vector<SurfacePiece<Dim>>> pieces(SurfaceFound& found) const;
 
  private:
+  /// Who has a strip of a piece, which condition is beside it (or nobody), and its width, m.
+  struct Strip {
+    int heir = SurfaceDivision<Dim>::nobody, beside = SurfaceDivision<Dim>::nobody;
+    double width = 0.0;
+  };
+
   struct Parts {
+    double beyond = 0.0;  // m^(dim-1), outside of its region
     std::vector<SurfacePiece<Dim>> kept;
     std::vector<std::pair<int, SurfacePiece<Dim>>> lost;  // with who has them
+    std::vector<double> lost_beside;                      // m^(dim-1), by condition
     int held_beside = -1;
   };
 
   double reach(int law, int beside, const Vec<Dim>& normal) const;
-  std::pair<int, double> strip_of(int law, const SurfacePiece<Dim>& piece);
+  Strip strip_of(int law, const SurfacePiece<Dim>& piece);
 
   const HeatProblem<Dim>& problem_;
   const HeatBody& body_;
@@ -47,6 +55,10 @@ class StrongEnds {
 
 /// What to warn of where a surface that is held, or all but, is so narrow that its ends tell.
 std::vector<Note> narrow_holds(std::span<const SurfaceFound> found, const HeatSettings& settings);
+
+/// What to warn of where a condition has surface that its region does not reach.
+std::vector<Note> regions_below(std::span<const SurfaceFound> found, const HeatSettings& settings,
+                                double cell_size);
 
 /// What to warn of, on materials that vary, where two held temperatures meet within a face.
 std::vector<Note> steps_between(std::span<const SurfaceFound> found, const HeatSettings& settings);

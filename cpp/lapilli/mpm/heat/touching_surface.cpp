@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lapilli/mpm/heat/thin_columns.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
 
 namespace lapilli {
@@ -140,10 +141,12 @@ double further_in(const Grid<Dim>& grid, const std::vector<Seen<Dim>>& seen,
   return sum;
 }
 
-/// The feet with the area that the area vectors of the nodes around each have along its normal.
+/// The feet with the area that the area vectors of the nodes around each have along its normal, as
+/// far as the body is not `thin` there.
 template <int Dim>
 std::vector<SurfaceFoot<Dim>> scaled(const Grid<Dim>& grid, ShapeFunction function,
                                      const std::vector<SurfaceFoot<Dim>>& given,
+                                     const std::vector<double>& thin,
                                      const std::vector<Vec<Dim>>& area_vector,
                                      const std::vector<double>& capacity) {
   std::vector<SurfaceFoot<Dim>> feet = given;
@@ -168,8 +171,8 @@ std::vector<SurfaceFoot<Dim>> scaled(const Grid<Dim>& grid, ShapeFunction functi
   }
   const double in_all =
       found > 0.0 ? std::clamp(wanted / found, 1.0 / most_in_all, most_in_all) : 1.0;
-  for (SurfaceFoot<Dim>& foot : feet) {
-    foot.area *= in_all;
+  for (std::size_t k = 0; k < feet.size(); ++k) {
+    feet[k].area = (1.0 - thin[k]) * in_all * feet[k].area + thin[k] * given[k].area;
   }
   return feet;
 }
@@ -234,7 +237,9 @@ TouchingSurface<Dim> touching_surface(const Grid<Dim>& grid, ShapeFunction funct
                                       const std::vector<Vec<Dim>>& area_vector,
                                       const std::vector<double>& capacity) {
   TouchingSurface<Dim> surface;
-  const std::vector<SurfaceFoot<Dim>> all = scaled(grid, function, feet, area_vector, capacity);
+  const std::vector<SurfaceFoot<Dim>> all =
+      scaled(grid, function, feet, thin_columns(grid, points, feet, coefficients, capacity),
+             area_vector, capacity);
   const std::vector<Seen<Dim>> seen = seen_by_nodes(grid, function, all);
   for (const Seen<Dim>& one : seen) {
     surface.nodes.push_back(node_of<Dim>(one, area_vector[one.node]));
