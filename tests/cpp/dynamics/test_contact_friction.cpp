@@ -45,7 +45,7 @@ struct Sliding {
     DynamicsBody body{elastic(2000, stiffness, 0.3), 0.25, {}, {}};
     body.name = name;
     body.velocity = [v = Vec3(speed * along[0], speed * along[1], 0)](const Vec3&) { return v; };
-    body.stress = [this, n = normal, o = origin, tilt](const Vec3& x) {
+    body.stress = [n = normal, o = origin, tilt](const Vec3& x) {
       const double across =
           -2000.0 * 10 * std::cos(tilt) * std::max(0.0, 2.0 - (x.head<2>() - o).dot(n));
       return SymmetricTensor(across * n[0] * n[0], across * n[1] * n[1], 0, across * n[0] * n[1], 0,
