@@ -125,6 +125,14 @@ typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::finish(DynamicsData<
   return work;
 }
 
+template <int Dim>
+void ObstacleContacts<Dim>::free_nodes(const DynamicsData<Dim>& data,
+                                       FreedNodes<Dim>& nodes) const {
+  for (const auto* contacts : {&contacts_, &light_}) {
+    nodes.add(data, *contacts, [this](const Vec3& place) { return clearance(place); });
+  }
+}
+
 /// What the impulses of the step did: they work on the mean of the velocities before and after it.
 template <int Dim>
 void ObstacleContacts<Dim>::book(std::vector<Contact<Dim>>& contacts,

@@ -6,6 +6,7 @@
 
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
 #include "lapilli/mpm/dynamics/obstacles/contact.hpp"
+#include "lapilli/mpm/dynamics/obstacles/freed_nodes.hpp"
 #include "lapilli/mpm/dynamics/obstacles/obstacle_surface.hpp"
 #include "lapilli/mpm/dynamics/obstacles/point_skins.hpp"
 #include "lapilli/mpm/dynamics/obstacles/rigid_motion.hpp"
@@ -51,6 +52,8 @@ class ObstacleContacts {
     double impact = 0.0;    // J, lost across it
   };
   Work finish(DynamicsData<Dim>& data, double step);
+  /// What faces of the grid let go of for its sake.
+  void free_nodes(const DynamicsData<Dim>& data, FreedNodes<Dim>& nodes) const;
   /// What they mean for the velocity projected again (MUSL), which only strains: sweeps of all
   /// obstacles, and the end.
   void sweep_second(DynamicsData<Dim>& data);

@@ -47,6 +47,7 @@ Contact<Dim> ObstacleContacts<Dim>::contact_at(const DynamicsData<Dim>& data, In
   const Vec3 normal = normal_at(x);
   Contact<Dim> contact;
   contact.row = row;
+  contact.depth = std::max(0.0, -gap);
   contact.normal = normal.head<Dim>().normalized();
   const Vec3 foot = x - gap * normal;
   contact.foot = foot.head<Dim>();

@@ -41,7 +41,8 @@ std::vector<double> half_spacings(const DynamicsProblem<Dim>& problem) {
 
 template <int Dim>
 Obstacles<Dim>::Obstacles(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem)
-    : skins_(data.points, half_spacings<Dim>(problem), problem.shapes, problem.start.get()) {
+    : skins_(data.points, half_spacings<Dim>(problem), problem.shapes, problem.start.get()),
+      freed_(data) {
   int index = 0;
   const PointStart* before = problem.start.get();
   for (const Obstacle& obstacle : data.settings.obstacles) {
@@ -88,6 +89,10 @@ void Obstacles<Dim>::push(DynamicsData<Dim>& data, const Step& step, double spee
     sums.friction += work.friction;
     sums.impact += work.impact;
     sums.kinetic_after += work.kinetic;
+  }
+  freed_.clear();
+  for (const auto& one : each_) {
+    one->free_nodes(data, freed_);
   }
   const double* mass = data.nodes.mass() + first;
   for (int axis = 0; axis < Dim; ++axis) {
