@@ -97,7 +97,7 @@ class ObstacleContacts {
   std::vector<Found> near(const DynamicsData<Dim>& data, const Take& take) const;
   double face_of(const DynamicsData<Dim>& data, Index row) const;
   double skin(Index row) const { return skin_.data()[row * skin_.components()]; }
-  void stretch_skin(Index row, double gap, double most);
+  void stretch_skin(Index row, double gap);
   ObstacleSurface surface() const { return {obstacle_.shape, motion_}; }
   double clearance(const Vec3& x) const { return surface().gap(x); }
   Vec3 normal_at(const Vec3& x) const { return surface().normal(x); }
