@@ -101,6 +101,15 @@ def test_the_force_does_not_depend_on_the_cells(angle: float) -> None:
     assert fine == pytest.approx(rough, rel=0.07)
 
 
+@pytest.mark.parametrize(
+    ("end", "said"), [(-0.2, False), (-0.01, False), (0.0, False), (0.02, True), (0.1, False)]
+)
+def test_an_end_just_before_a_face_is_told(end: float, said: bool) -> None:
+    """What passes under it lies up to 5 cells behind its face."""
+    _, _, notes = pushed("no_slip", end=end)
+    assert any("ends 0.4 cells from it" in note for note in notes) == said
+
+
 @pytest.mark.parametrize("unit", [1.0, 1e-3])
 def test_what_a_wedge_leaves_behind_is_told(unit: float) -> None:
     depth, _, notes = pushed("no_slip", unit=unit, angle=45)

@@ -248,8 +248,10 @@ void take_mean_velocity(DynamicsData<Dim>& data) {
 
 template NodeSums accelerate_nodes<2>(DynamicsData<2>&, double);
 template NodeSums accelerate_nodes<3>(DynamicsData<3>&, double);
-template void hold_nodes<2>(DynamicsData<2>&, double, WallFriction<2>*, const FreedNodes<2>*, NodeSums&);
-template void hold_nodes<3>(DynamicsData<3>&, double, WallFriction<3>*, const FreedNodes<3>*, NodeSums&);
+template void hold_nodes<2>(DynamicsData<2>&, double, WallFriction<2>*, const FreedNodes<2>*,
+                            NodeSums&);
+template void hold_nodes<3>(DynamicsData<3>&, double, WallFriction<3>*, const FreedNodes<3>*,
+                            NodeSums&);
 template void blend_nodes<2>(DynamicsData<2>&, double);
 template void blend_nodes<3>(DynamicsData<3>&, double);
 template void divide_second_velocity<2>(DynamicsData<2>&);

@@ -22,8 +22,9 @@ namespace lapilli {
 template <int Dim>
 class ObstacleContacts {
  public:
-  /// `earlier`: which it goes on from in the state of `problem.start`; below 0: none. Throws std::invalid_argument naming the deepest point that starts inside an
-  /// obstacle that does not go on.
+  /// `earlier`: which it goes on from in the state of `problem.start`; below 0: none. Throws
+  /// std::invalid_argument naming the deepest point that starts inside an obstacle that does not go
+  /// on.
   ObstacleContacts(const DynamicsData<Dim>& data, const Obstacle& obstacle, std::string name,
                    const PointSkins& skins, const DynamicsProblem<Dim>& problem, int earlier);
 
