@@ -35,6 +35,7 @@ set(kernels
     mpm/dynamics/mean_free_strain.cpp
     mpm/dynamics/node_fields.cpp
     mpm/dynamics/obstacles/contact.cpp
+    mpm/dynamics/obstacles/freed_nodes.cpp
     mpm/dynamics/obstacles/light_nodes.cpp
     mpm/dynamics/obstacles/joint_contacts.cpp
     mpm/dynamics/obstacles/obstacle_contacts.cpp

@@ -86,7 +86,7 @@ class PeridynamicFlow final : public Flow, public Warnings {
   /// What the mean gradient does not explain of velocity differences, as a force per volume, N/m^3.
   Vec<Dim> zero_energy(Index point, const double* weights) const;
   void check_density();
-  /// Root mean square of the velocity, m/s, and width of the fluid, m.
+  /// Root mean square of the velocity beside that of the vessel, m/s, and width of the fluid, m.
   struct Pace {
     double speed, width;
   };

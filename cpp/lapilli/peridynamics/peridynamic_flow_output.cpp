@@ -51,11 +51,12 @@ std::vector<std::pair<std::string, double>> PeridynamicFlow<Dim>::diagnostics() 
 
 template <int Dim>
 typename PeridynamicFlow<Dim>::Pace PeridynamicFlow<Dim>::pace() const {
+  const Vec<Dim> vessel = vessel_velocity<Dim>(*walls_);
   double squared = 0.0, volume = 0.0;
   for (Index i = 0; i < points_.size(); ++i) {
     if (fluid(i)) {
       const Eigen::Map<const Vec<Dim>> own(velocity_.data() + i * Dim);
-      squared += points_.volume()[i] * own.squaredNorm();
+      squared += points_.volume()[i] * (own - vessel).squaredNorm();
       volume += points_.volume()[i];
     }
   }

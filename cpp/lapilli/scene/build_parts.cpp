@@ -164,6 +164,7 @@ std::unique_ptr<Dynamics<Dim>> dynamics_of(const Scene& scene, const Grid<Dim>& 
     }
     body.velocity = velocity_at_start(scene.bodies[k], filled[k], Dim);
     body.stress = stress.of(k);
+    body.shape = placed_shape(scene.bodies[k]);
     problem.bodies.push_back(std::move(body));
   }
   problem.notes = [&stress] { return stress.notes(); };

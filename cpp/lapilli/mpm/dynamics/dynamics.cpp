@@ -115,7 +115,7 @@ PointSums Dynamics<Dim>::move_points(double step) {
     if (obstacles_) {
       obstacles_->push_second(data_);
     }
-    hold_second_velocity(data_);
+    hold_second_velocity(data_, freed_nodes());
     if (data_.moves_with_mean) {
       take_mean_velocity(data_);
     }
@@ -159,7 +159,7 @@ void Dynamics<Dim>::turn_gravity(const Step& step) {
 }
 
 /// Forces, then other bodies, then obstacles, then walls, which have the last word at the nodes
-/// they share; damping takes from what all of them leave.
+/// they share but for those inside of obstacles; damping takes from what all of them leave.
 template <int Dim>
 NodeSums Dynamics<Dim>::solve_nodes(const Step& step) {
   NodeSums sums = accelerate_nodes(data_, step.size);
@@ -169,7 +169,7 @@ NodeSums Dynamics<Dim>::solve_nodes(const Step& step) {
   if (obstacles_) {
     obstacles_->push(data_, step, speed_, sums);
   }
-  hold_nodes(data_, step.size, wall_friction_.get(), sums);
+  hold_nodes(data_, step.size, wall_friction_.get(), freed_nodes(), sums);
   if (const double damping = local_damping(step.time); damping > 0.0) {
     damp_nodes(data_, damping, sums);
   }

@@ -101,6 +101,7 @@ class Dynamics final : public Physics,
   /// Enter what a step did into the accounts.
   void book(double step, const NodeSums& nodes, const PointSums& sums, double load_work);
   double local_damping(double time) const;
+  const FreedNodes<Dim>* freed_nodes() const { return obstacles_ ? &obstacles_->freed() : nullptr; }
   void carry_points();
   void stop_if_broken(const PointSums& sums) const;
   void find_outside();

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct DynamicsBody {
   std::string name = {};                               // in the history; empty: its number
   std::string label = "a body";                        // in messages: "body 'sand'"
   double spacing = 0.0;                                // m, of the fill, for runs that go on
+  std::optional<Shape> shape = {};                     // of one that starts anew, where it is known
 };
 
 struct PointStart;

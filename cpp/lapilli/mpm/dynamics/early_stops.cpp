@@ -50,7 +50,7 @@ bool moves_along(const Obstacle& obstacle, int axis) {
   return !obstacle.mass && !along.isZero(0.0);
 }
 
-/// Obstacles that move along a face of the grid and end on it.
+/// Obstacles that move along a face of the grid and end just before it.
 template <int Dim>
 void note_ends(const DynamicsData<Dim>& data, int face, std::vector<Note>& all) {
   const double h = data.grid.cell_size();
@@ -61,14 +61,15 @@ void note_ends(const DynamicsData<Dim>& data, int face, std::vector<Note>& all) 
       continue;
     }
     const Bounds box = bounds(one.shape);
-    const double beyond = face % 2 == 1 ? box.upper[axis] - data.grid.upper()[axis]
-                                        : data.grid.lower()[axis] - box.lower[axis];
-    if (beyond > -touching * h && beyond < h) {
+    const double gap = face % 2 == 1 ? data.grid.upper()[axis] - box.upper[axis]
+                                     : box.lower[axis] - data.grid.lower()[axis];
+    if (gap > touching * h && gap < h) {
       all.push_back(note("dynamics.obstacle-end", "dynamics.obstacles.", k,
                          one.name.empty() ? std::string() : " (" + one.name + ")",
                          " moves along the grid boundary ", name_of(static_cast<GridFace>(face)),
-                         " and ends on it: material beside that edge is pushed out through its "
-                         "end; draw it a cell or more beyond the face"));
+                         " and ends ", std::round(100.0 * gap / h) / 100.0,
+                         " cells from it: what passes between them is left behind anywhere, and in "
+                         "it; draw it onto the face or through it, or leave two cells"));
     }
   }
 }

@@ -37,15 +37,19 @@ inline Walls walls_of(const DynamicsSettings& settings) {
 
 /// Velocity at a wall. `inward` is the sign of the inward normal along `normal`. No-slip stops it,
 /// a roller stops it across, a frictional wall stops what moves into it and slows the rest by at
-/// most `slows`, m/s: what friction bears, over the mass.
+/// most `slows`, m/s: what friction bears, over the mass. A no-slip wall lets go along itself of
+/// the share `free`.
 template <int Dim>
 Vec<Dim> held_by(Wall::Kind kind, int normal, double inward, const Vec<Dim>& velocity,
-                 double slows = 0.0) {
-  if (kind == Wall::Kind::no_slip) {
+                 double slows = 0.0, double free = 0.0) {
+  if (kind == Wall::Kind::no_slip && free == 0.0) {
     return Vec<Dim>::Zero();
   }
   Vec<Dim> held = velocity;
   held[normal] = 0.0;
+  if (kind == Wall::Kind::no_slip) {
+    held *= free;
+  }
   if (kind == Wall::Kind::frictional) {
     const double slip = held.norm();
     held *= slip > slows ? 1.0 - slows / slip : 0.0;

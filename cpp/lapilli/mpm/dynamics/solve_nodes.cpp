@@ -132,7 +132,7 @@ NodeSums accelerate_nodes(DynamicsData<Dim>& data, double step) {
 
 template <int Dim>
 void hold_nodes(DynamicsData<Dim>& data, double step, WallFriction<Dim>* friction,
-                NodeSums& total) {
+                const FreedNodes<Dim>* freed, NodeSums& total) {
   const double* mass = data.nodes.mass();
   if (friction != nullptr) {
     friction->begin_step(step);
@@ -146,13 +146,15 @@ void hold_nodes(DynamicsData<Dim>& data, double step, WallFriction<Dim>* frictio
       velocity[axis] = data.nodes.velocity(axis)[node];
       change[axis] = data.nodes.increment(axis)[node];
     }
+    const double free = freed != nullptr ? freed->share(place.node) : 0.0;
     double slows = 0.0;
     if (kind == Wall::Kind::frictional) {
       const double push = mass[node] * std::max(0.0, -inward * velocity[normal]);
       slows = friction->bear(data, place.field, place.face, place.layer, node, push) / mass[node];
+      slows *= 1.0 - free;
     }
-    const Vec<Dim> held = held_by<Dim>(kind, normal, inward, velocity, slows);
-    const Vec<Dim> held_strain = held_by<Dim>(kind, normal, inward, strain, slows);
+    const Vec<Dim> held = held_by<Dim>(kind, normal, inward, velocity, slows, free);
+    const Vec<Dim> held_strain = held_by<Dim>(kind, normal, inward, strain, slows, free);
     const Vec<Dim> impulse = mass[node] * (held - velocity);
     // The wall's work over the step: its impulse times the mean of the velocity before and after.
     const Vec<Dim> middle = 0.5 * (held + velocity - change);
@@ -210,7 +212,7 @@ void divide_second_velocity(DynamicsData<Dim>& data) {
 }
 
 template <int Dim>
-void hold_second_velocity(DynamicsData<Dim>& data) {
+void hold_second_velocity(DynamicsData<Dim>& data, const FreedNodes<Dim>* freed) {
   for_each_wall_node(data, [&](const WallNode& place) {
     Vec<Dim> velocity;
     for (int axis = 0; axis < Dim; ++axis) {
@@ -218,7 +220,8 @@ void hold_second_velocity(DynamicsData<Dim>& data) {
     }
     // Along the wall it keeps what it has, as at obstacles.
     const Wall::Kind kind = data.walls[place.face].kind;
-    Vec<Dim> held = held_by<Dim>(kind, place.normal, place.inward, velocity);
+    const double free = freed != nullptr ? freed->share(place.node) : 0.0;
+    Vec<Dim> held = held_by<Dim>(kind, place.normal, place.inward, velocity, 0.0, free);
     if (kind == Wall::Kind::frictional && data.nodes.velocity(place.normal)[place.node] == 0.0) {
       // What presses does not part: strained as if it did, a block that hits the wall gains energy.
       held[place.normal] = 0.0;
@@ -245,14 +248,16 @@ void take_mean_velocity(DynamicsData<Dim>& data) {
 
 template NodeSums accelerate_nodes<2>(DynamicsData<2>&, double);
 template NodeSums accelerate_nodes<3>(DynamicsData<3>&, double);
-template void hold_nodes<2>(DynamicsData<2>&, double, WallFriction<2>*, NodeSums&);
-template void hold_nodes<3>(DynamicsData<3>&, double, WallFriction<3>*, NodeSums&);
+template void hold_nodes<2>(DynamicsData<2>&, double, WallFriction<2>*, const FreedNodes<2>*,
+                            NodeSums&);
+template void hold_nodes<3>(DynamicsData<3>&, double, WallFriction<3>*, const FreedNodes<3>*,
+                            NodeSums&);
 template void blend_nodes<2>(DynamicsData<2>&, double);
 template void blend_nodes<3>(DynamicsData<3>&, double);
 template void divide_second_velocity<2>(DynamicsData<2>&);
 template void divide_second_velocity<3>(DynamicsData<3>&);
-template void hold_second_velocity<2>(DynamicsData<2>&);
-template void hold_second_velocity<3>(DynamicsData<3>&);
+template void hold_second_velocity<2>(DynamicsData<2>&, const FreedNodes<2>*);
+template void hold_second_velocity<3>(DynamicsData<3>&, const FreedNodes<3>*);
 template void take_mean_velocity<2>(DynamicsData<2>&);
 template void take_mean_velocity<3>(DynamicsData<3>&);
 

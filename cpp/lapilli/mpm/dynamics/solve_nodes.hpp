@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
+#include "lapilli/mpm/dynamics/obstacles/freed_nodes.hpp"
 #include "lapilli/mpm/dynamics/wall_friction.hpp"
 
 namespace lapilli {
@@ -24,9 +25,11 @@ struct NodeSums {
 template <int Dim>
 NodeSums accelerate_nodes(DynamicsData<Dim>& data, double step);
 
-/// Hold the nodes at walls, and book what the walls did. `friction`: null where no wall has any.
+/// Hold the nodes at walls, and book what the walls did. `friction`: null where no wall has any;
+/// `freed`: null without obstacles.
 template <int Dim>
-void hold_nodes(DynamicsData<Dim>& data, double step, WallFriction<Dim>* friction, NodeSums& sums);
+void hold_nodes(DynamicsData<Dim>& data, double step, WallFriction<Dim>* friction,
+                const FreedNodes<Dim>* freed, NodeSums& sums);
 
 /// What the solved nodes hand to points under the blend, once nothing changes their velocity any
 /// more: `fade` becomes a share, `gain` follows.
@@ -39,7 +42,7 @@ void divide_second_velocity(DynamicsData<Dim>& data);
 
 /// Hold the velocity projected again by the walls; the solved one tells what presses them.
 template <int Dim>
-void hold_second_velocity(DynamicsData<Dim>& data);
+void hold_second_velocity(DynamicsData<Dim>& data, const FreedNodes<Dim>* freed);
 
 /// The nodal velocity becomes the mean of the step, where points move with that.
 template <int Dim>

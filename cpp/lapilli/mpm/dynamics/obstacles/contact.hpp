@@ -18,6 +18,7 @@ struct Contact {
 
   Index row = 0;                         // of the point
   std::size_t nearest = 0;               // of a light node: the contact whose friction it adds to
+  double depth = 0.0;                    // m, of the point inside the obstacle
   double face = 0.0;                     // m^(Dim-1), of one of several that bear one traction
   bool joint = false;                    // whether it is one of these
   Vec<Dim> foot, normal, wall;           // m; out of the obstacle; its velocity there, m/s

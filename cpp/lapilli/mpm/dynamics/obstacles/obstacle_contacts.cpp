@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lapilli/core/in_space.hpp"
+#include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/dynamics/friction_lag.hpp"
 #include "lapilli/mpm/dynamics/obstacles/light_nodes.hpp"
@@ -36,10 +37,10 @@ double farthest(const Grid<Dim>& grid, const Shape& shape, const Vec3& center) {
 template <int Dim>
 ObstacleContacts<Dim>::ObstacleContacts(const DynamicsData<Dim>& data, const Obstacle& obstacle,
                                         std::string name, const PointSkins& skins,
-                                        const PointStart* before, int earlier)
+                                        const DynamicsProblem<Dim>& problem, int earlier)
     : obstacle_(obstacle),
       name_(std::move(name)),
-      skins_(skins),
+      skin_(data.points, 2),
       motion_(obstacle, Dim, "dynamics.obstacles: " + name_),
       reach_(farthest(data.grid, obstacle.shape, motion_.center())),
       friction_(obstacle.contact == ObstacleContact::no_slip
@@ -49,11 +50,33 @@ ObstacleContacts<Dim>::ObstacleContacts(const DynamicsData<Dim>& data, const Obs
   for (const StressMaterial& material : data.materials) {
     lags_.push_back(friction_lag(material, data.grid.cell_size()));
   }
+  const PointStart* before = problem.start.get();
   if (before != nullptr && earlier >= 0) {
     motion_.go_on(*before->state, message("dynamics/obstacles/", earlier));
   } else {
     motion_.set_span(before != nullptr ? before->time : 0.0, 0.0);
     require_nothing_inside(data);
+  }
+  set_skins(data, skins, problem, earlier);
+}
+
+template <int Dim>
+void ObstacleContacts<Dim>::set_skins(const DynamicsData<Dim>& data, const PointSkins& skins,
+                                      const DynamicsProblem<Dim>& problem, int earlier) {
+  const PointStart* before = problem.start.get();
+  const Points& points = data.points;
+  parallel_for(points.size(), [&](Index row) {
+    const bool goes_on = before != nullptr && before->state && before->row[points.id()[row]] >= 0;
+    const DynamicsBody& body = problem.bodies[static_cast<std::size_t>(points.body()[row])];
+    double* skin = skin_.data() + row * skin_.components();
+    skin[0] = skin[1] =
+        goes_on ? skins.of(row) : skins.towards(points, body, row, [&](const Vec3& place) {
+          return Vec3(-normal_at(place));
+        });
+  });
+  const std::string known = message("dynamics/obstacles/", earlier, "/skins");
+  if (before != nullptr && earlier >= 0 && before->state->contains(known)) {
+    before->fetch(known, data.points, skin_);
   }
 }
 
@@ -125,6 +148,14 @@ typename ObstacleContacts<Dim>::Work ObstacleContacts<Dim>::finish(DynamicsData<
   return work;
 }
 
+template <int Dim>
+void ObstacleContacts<Dim>::free_nodes(const DynamicsData<Dim>& data,
+                                       FreedNodes<Dim>& nodes) const {
+  for (const auto* contacts : {&contacts_, &light_}) {
+    nodes.add(data, *contacts, [this](const Vec3& place) { return clearance(place); });
+  }
+}
+
 /// What the impulses of the step did: they work on the mean of the velocities before and after it.
 template <int Dim>
 void ObstacleContacts<Dim>::book(std::vector<Contact<Dim>>& contacts,
@@ -174,6 +205,7 @@ Index ObstacleContacts<Dim>::touching() const {
 template <int Dim>
 void ObstacleContacts<Dim>::save(Archive& archive, const std::string& prefix) const {
   archive.write(prefix + "/memory", memory_.values());
+  archive.write(prefix + "/skins", skin_.values());
   motion_.save(archive, prefix);
   std::vector<double> numbers;
   for (const Vec3* vector : {&force_, &torque_, &impulse_}) {
@@ -186,6 +218,7 @@ void ObstacleContacts<Dim>::save(Archive& archive, const std::string& prefix) co
 template <int Dim>
 void ObstacleContacts<Dim>::load(const Archive& archive, const std::string& prefix) {
   archive.read(prefix + "/memory", memory_.values());
+  archive.read(prefix + "/skins", skin_.values());
   motion_.load(archive, prefix);
   double numbers[12];
   archive.read(prefix + "/numbers", std::span<double>(numbers));

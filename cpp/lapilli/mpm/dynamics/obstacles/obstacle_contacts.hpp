@@ -6,6 +6,7 @@
 
 #include "lapilli/mpm/dynamics/dynamics_data.hpp"
 #include "lapilli/mpm/dynamics/obstacles/contact.hpp"
+#include "lapilli/mpm/dynamics/obstacles/freed_nodes.hpp"
 #include "lapilli/mpm/dynamics/obstacles/obstacle_surface.hpp"
 #include "lapilli/mpm/dynamics/obstacles/point_skins.hpp"
 #include "lapilli/mpm/dynamics/obstacles/rigid_motion.hpp"
@@ -21,11 +22,11 @@ namespace lapilli {
 template <int Dim>
 class ObstacleContacts {
  public:
-  /// `skins` as in PointSkins. `before` (may be null): the state in which `earlier` is where it
-  /// goes on from. Throws std::invalid_argument naming the deepest point that starts inside an
-  /// obstacle that does not go on.
+  /// `earlier`: which it goes on from in the state of `problem.start`; below 0: none. Throws
+  /// std::invalid_argument naming the deepest point that starts inside an obstacle that does not go
+  /// on.
   ObstacleContacts(const DynamicsData<Dim>& data, const Obstacle& obstacle, std::string name,
-                   const PointSkins& skins, const PointStart* before = nullptr, int earlier = -1);
+                   const PointSkins& skins, const DynamicsProblem<Dim>& problem, int earlier);
 
   /// Where points touch it, where they are. None has moved farther than `travelled` (m, since the
   /// start).
@@ -51,6 +52,8 @@ class ObstacleContacts {
     double impact = 0.0;    // J, lost across it
   };
   Work finish(DynamicsData<Dim>& data, double step);
+  /// What faces of the grid let go of for its sake.
+  void free_nodes(const DynamicsData<Dim>& data, FreedNodes<Dim>& nodes) const;
   /// What they mean for the velocity projected again (MUSL), which only strains: sweeps of all
   /// obstacles, and the end.
   void sweep_second(DynamicsData<Dim>& data);
@@ -88,10 +91,14 @@ class ObstacleContacts {
   static constexpr int stamp = 1, held = 2, edgeless = 4 + Dim, kept = 5 + Dim;
   static constexpr double bond = 0.5;  // on top of the step, of one that cannot part
 
+  void set_skins(const DynamicsData<Dim>& data, const PointSkins& skins,
+                 const DynamicsProblem<Dim>& problem, int earlier);
   void require_nothing_inside(const DynamicsData<Dim>& data) const;
   template <class Found, class Take>
   std::vector<Found> near(const DynamicsData<Dim>& data, const Take& take) const;
   double face_of(const DynamicsData<Dim>& data, Index row) const;
+  double skin(Index row) const { return skin_.data()[row * skin_.components()]; }
+  void stretch_skin(Index row, double gap);
   ObstacleSurface surface() const { return {obstacle_.shape, motion_}; }
   double clearance(const Vec3& x) const { return surface().gap(x); }
   Vec3 normal_at(const Vec3& x) const { return surface().normal(x); }
@@ -108,7 +115,7 @@ class ObstacleContacts {
 
   Obstacle obstacle_;
   std::string name_;
-  const PointSkins& skins_;
+  PointArray skin_;           // m, of the material of points towards it: now, and at the start
   std::vector<double> lags_;  // s, by body: what friction needs to feel a change of the push
   RigidMotion motion_;
   double reach_ = 0.0;     // m, from the centre of turning to the farthest surface

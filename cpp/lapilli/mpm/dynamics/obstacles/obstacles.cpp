@@ -27,21 +27,12 @@ void add_motion(const std::string& name, const RigidMotion& motion,
   all.emplace_back(message(name, " kinetic energy"), motion.kinetic_energy());
 }
 
-/// Half the spacing of the points of each body, m.
-template <int Dim>
-std::vector<double> half_spacings(const DynamicsProblem<Dim>& problem) {
-  std::vector<double> all;
-  for (const DynamicsBody& body : problem.bodies) {
-    all.push_back(body.half_width * problem.grid.cell_size());
-  }
-  return all;
-}
-
 }  // namespace
 
 template <int Dim>
 Obstacles<Dim>::Obstacles(const DynamicsData<Dim>& data, const DynamicsProblem<Dim>& problem)
-    : skins_(data.points, half_spacings<Dim>(problem), problem.shapes, problem.start.get()) {
+    : skins_(data.points, problem.bodies, data.grid.cell_size(), problem.start.get()),
+      freed_(data) {
   int index = 0;
   const PointStart* before = problem.start.get();
   for (const Obstacle& obstacle : data.settings.obstacles) {
@@ -49,7 +40,7 @@ Obstacles<Dim>::Obstacles(const DynamicsData<Dim>& data, const DynamicsProblem<D
     const int earlier =
         before != nullptr && !before->obstacle.empty() ? before->obstacle[index] : -1;
     each_.push_back(
-        std::make_unique<ObstacleContacts<Dim>>(data, obstacle, name, skins_, before, earlier));
+        std::make_unique<ObstacleContacts<Dim>>(data, obstacle, name, skins_, problem, earlier));
     ++index;
   }
 }
@@ -88,6 +79,10 @@ void Obstacles<Dim>::push(DynamicsData<Dim>& data, const Step& step, double spee
     sums.friction += work.friction;
     sums.impact += work.impact;
     sums.kinetic_after += work.kinetic;
+  }
+  freed_.clear();
+  for (const auto& one : each_) {
+    one->free_nodes(data, freed_);
   }
   const double* mass = data.nodes.mass() + first;
   for (int axis = 0; axis < Dim; ++axis) {

@@ -21,6 +21,8 @@ class Obstacles {
   /// Push what the forces accelerated out of the obstacles. Points must be where the nodes act on
   /// them; none is faster than `speed`. Changes velocity and increment of the nodes, and the sums.
   void push(DynamicsData<Dim>& data, const Step& step, double speed, NodeSums& sums);
+  /// What faces of the grid let go of in this step.
+  const FreedNodes<Dim>& freed() const { return freed_; }
   /// What that means for the velocity projected again (MUSL): its strain is that of the solved
   /// nodes, or confined bodies would gain energy.
   void push_second(DynamicsData<Dim>& data);
@@ -49,6 +51,7 @@ class Obstacles {
 
   PointSkins skins_;
   std::vector<std::unique_ptr<ObstacleContacts<Dim>>> each_;
+  FreedNodes<Dim> freed_;
   std::vector<double> crowd_;        // scratch over the nodes
   std::vector<double> before_[Dim];  // nodal velocity before the impulses
   double travelled_ = 0.0;           // m, a bound for every point and surface since the start

@@ -58,8 +58,9 @@ std::vector<Note> Obstacles<Dim>::warnings(const DynamicsData<Dim>& data) const 
                        " points lie more than ", told_depth, " cells inside it, the deepest ",
                        std::round(100.0 * found.depth / h) / 100.0, " cells, at (", at[0], ", ",
                        at[1], Dim == 3 ? message(", ", at[2]) : std::string(),
-                       "): what holds them there, as a no_slip face that it runs along, leaves "
-                       "them behind; a roller or frictional face does so less"));
+                       "): what holds them there, or a wedge between it and a face that it runs "
+                       "along, leaves them behind; a roller face or one of less friction does so "
+                       "less"));
   }
   return all;
 }
