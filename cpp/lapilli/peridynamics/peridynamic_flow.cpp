@@ -52,6 +52,7 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
       weight_{settings.influence, settings.horizon * walls_->spacing(), walls_->spacing(), true},
       lattice_constant_(2.0 / lattice_moment(Dim, weight_)),
       gravity_(vector_of<Dim>(settings.gravity)),
+      middle_(Vec<Dim>::Zero()),
       sound_speed_(choose_sound_speed(points, *walls_, settings, fluid, heat)),
       pressure_{fluid.newtonian.density, sound_speed_, settings.stiffness_exponent},
       two_field_(settings.laplacian == Laplacian::literal ||
@@ -69,8 +70,7 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
       smallest_spacing_(walls_->spacing()) {
   const auto rows = static_cast<std::size_t>(points.size());
   rows_.assign(rows * row_size, 0.0);
-  const bool has_weight = heat_ != nullptr || settings_.buoyancy == Buoyancy::full;
-  if (has_weight && !gravity_.isZero(0.0)) {
+  if (heat_ != nullptr && !gravity_.isZero(0.0)) {
     borne_.emplace(*walls_, families_, gravity_);
   }
   gradient_.assign(two_field_ ? rows : 0, Mat<Dim>::Zero());

@@ -23,7 +23,7 @@ inline constexpr Index flow_piece = 128;
 /// Eqs. 26, 27, 33-36, 38), velocity Verlet.
 ///
 /// Differs from the paper where its equations do not run: stress from the new density (not Eq. 35),
-/// shifting away from neighbours (not Eq. 38), reduced buoyancy, a diffusion of density that leaves
+/// shifting away from neighbours (not Eq. 38), a uniform weight left to its own pressure, a diffusion of density that leaves
 /// alone what bears the weight (as Fourtakas et al. 2019). Walls are
 /// layers of points that carry pressure; a wall point at depth d_j shows a fluid point at distance
 /// d_i the velocity v_s + (v_s - v_i) d_j/d_i. Not modelled: free surfaces, turbulence, a second
@@ -92,7 +92,12 @@ class PeridynamicFlow final : public Flow, public Warnings {
   };
   Pace pace() const;
 
-  double share_of_gravity(Index point) const;  // 1, at the temperature of the point
+  /// Share of gravity by which a point is heavier than the fluid in the mean, 1.
+  double share_of_gravity(Index point) const;
+  /// Pressure of the uniform weight, Pa. It balances that weight exactly wherever points are, so
+  /// neither enters the sums over bonds; `find_middle` says where it is zero.
+  double height_pressure(Index point) const;
+  void find_middle();
   Vec<Dim> body_force(Index point) const {     // acceleration, m/s^2
     return share_of_gravity(point) * gravity_;
   }
@@ -109,7 +114,7 @@ class PeridynamicFlow final : public Flow, public Warnings {
   PrintedEquations printed_;
   BondWeight weight_;
   double lattice_constant_;
-  Vec<Dim> gravity_;
+  Vec<Dim> gravity_, middle_;  // m/s^2; m, mean place of the fluid
   double sound_speed_;
   EquationOfState pressure_;
   bool two_field_;
@@ -119,7 +124,7 @@ class PeridynamicFlow final : public Flow, public Warnings {
   std::unique_ptr<PointArray> dissipation_, shifted_;
   StressForce<Dim> force_;
   Families families_;
-  std::optional<BorneWeight<Dim>> borne_;  // where anything has weight
+  std::optional<BorneWeight<Dim>> borne_;  // where temperature gives weight
   LargeArray<double> rows_;
   BondScratch bond_weights_;                        // w V, from the density to the force
   std::vector<Mat<Dim>> gradient_, inverse_shape_;  // kept for two fields only

@@ -28,8 +28,12 @@ double two_digits(double number) {
 
 template <int Dim>
 void PeridynamicFlow<Dim>::refresh_output() {
+  const bool weighs = settings_.buoyancy == Buoyancy::full;
+  if (weighs) {
+    find_middle();
+  }
   for (Index i = 0; i < points_.size(); ++i) {
-    pressure_field_[i] = pressure_(density_[i]);
+    pressure_field_[i] = pressure_(density_[i]) + (weighs ? height_pressure(i) : 0.0);
   }
 }
 
