@@ -62,6 +62,7 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
       density_(points, 1, fluid.newtonian.density),
       mass_(points, 1),
       shift_(points, Dim),
+      shifted_(points, Dim),
       pressure_field_(points, 1),
       force_(points.size()),
       families_(points, weight_.horizon, settings.skin * walls_->spacing(), roles_of(*walls_)),
@@ -75,9 +76,6 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
   }
   gradient_.assign(two_field_ ? rows : 0, Mat<Dim>::Zero());
   inverse_shape_.assign(two_field_ ? rows : 0, Mat<Dim>::Zero());
-  if (heat_ != nullptr) {
-    shifted_ = std::make_unique<PointArray>(points, Dim);
-  }
   if (with_dissipation) {
     dissipation_ = std::make_unique<PointArray>(points, 1);
   }
@@ -195,9 +193,7 @@ void PeridynamicFlow<Dim>::kick_and_drift(const Step& step) {
         const double squared = away.squaredNorm();
         const Vec<Dim> shifted = (squared > most * most ? most / std::sqrt(squared) : 1.0) * away;
         by = dt * v + shifted;
-        if (shifted_) {
-          Eigen::Map<Vec<Dim>>(shifted_->data() + i * Dim) = shifted;
-        }
+        Eigen::Map<Vec<Dim>>(shifted_.data() + i * Dim) = shifted;
       } else if (walls_->walls()[walls_->wall(i)].settings.moves) {
         by = dt * v;
       }

@@ -53,7 +53,7 @@ class PeridynamicFlow final : public Flow, public Warnings {
   }
   const PointArray& density() const override { return density_; }
   const PointArray* dissipation() const override { return dissipation_.get(); }
-  const PointArray* shifted() const override { return shifted_.get(); }
+  const PointArray* shifted() const override { return &shifted_; }
   double sound_speed() const override { return sound_speed_; }
   double velocity_noise() const override {
     return lapilli::velocity_noise<Dim>(*walls_, families_, weight_, velocity_);
@@ -120,8 +120,8 @@ class PeridynamicFlow final : public Flow, public Warnings {
   bool two_field_;
   bool walls_slide_ = false;  // any wall has a velocity
 
-  PointArray velocity_, acceleration_, density_, mass_, shift_, pressure_field_;
-  std::unique_ptr<PointArray> dissipation_, shifted_;
+  PointArray velocity_, acceleration_, density_, mass_, shift_, shifted_, pressure_field_;
+  std::unique_ptr<PointArray> dissipation_;
   StressForce<Dim> force_;
   Families families_;
   std::optional<BorneWeight<Dim>> borne_;  // where temperature gives weight

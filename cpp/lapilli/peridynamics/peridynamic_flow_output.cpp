@@ -115,9 +115,7 @@ void PeridynamicFlow<Dim>::save(Archive& archive) const {
   archive.write("flow/density", density_.values());
   archive.write("flow/mass", mass_.values());
   archive.write("flow/shift", shift_.values());
-  if (shifted_) {
-    archive.write("flow/shifted", shifted_->values());
-  }
+  archive.write("flow/shifted", shifted_.values());
   const double numbers[] = {least_density_, most_density_,        smallest_spacing_,
                             sound_speed_,   started_ ? 1.0 : 0.0, age_};
   archive.write("flow/numbers", numbers);
@@ -137,9 +135,7 @@ void PeridynamicFlow<Dim>::load(const Archive& archive) {
   archive.read("flow/density", density_.values());
   archive.read("flow/mass", mass_.values());
   archive.read("flow/shift", shift_.values());
-  if (shifted_) {
-    archive.read("flow/shifted", shifted_->values());
-  }
+  archive.read("flow/shifted", shifted_.values());
   double numbers[6];
   archive.read("flow/numbers", numbers);
   least_density_ = numbers[0];
