@@ -49,7 +49,9 @@ struct PeridynamicFlowSettings {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit(Key("gravity").unit("m/s^2").length(0, 3).text("empty: none"), self.gravity);
-    visit(Key("buoyancy").text("reduced: only what temperature changes; full: the pressure bears all of the weight"),
+    visit(Key("buoyancy")
+              .text("reduced: only what temperature changes; full: the pressure bears all of the "
+                    "weight"),
           self.buoyancy);
     visit(Key("horizon").range(1.0, 10.0, true).text("fluid horizon, in spacings"), self.horizon);
     visit(Key("influence").text("weight of a bond by its length"), self.influence);

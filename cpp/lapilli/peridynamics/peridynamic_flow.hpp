@@ -23,11 +23,11 @@ inline constexpr Index flow_piece = 128;
 /// Eqs. 26, 27, 33-36, 38), velocity Verlet.
 ///
 /// Differs from the paper where its equations do not run: stress from the new density (not Eq. 35),
-/// shifting away from neighbours (not Eq. 38), a uniform weight left to its own pressure, a diffusion of density that leaves
-/// alone what bears the weight (as Fourtakas et al. 2019). Walls are
-/// layers of points that carry pressure; a wall point at depth d_j shows a fluid point at distance
-/// d_i the velocity v_s + (v_s - v_i) d_j/d_i. Not modelled: free surfaces, turbulence, a second
-/// fluid.
+/// shifting away from neighbours (not Eq. 38), a uniform weight left to its own pressure, a
+/// diffusion of density that leaves alone what bears the weight (as Fourtakas et al. 2019). Walls
+/// are layers of points that carry pressure; a wall point at depth d_j shows a fluid point at
+/// distance d_i the velocity v_s + (v_s - v_i) d_j/d_i. Not modelled: free surfaces, turbulence, a
+/// second fluid.
 template <int Dim>
 class PeridynamicFlow final : public Flow, public Warnings {
  public:
@@ -98,7 +98,7 @@ class PeridynamicFlow final : public Flow, public Warnings {
   /// neither enters the sums over bonds; `find_middle` says where it is zero.
   double height_pressure(Index point) const;
   void find_middle();
-  Vec<Dim> body_force(Index point) const {     // acceleration, m/s^2
+  Vec<Dim> body_force(Index point) const {  // acceleration, m/s^2
     return share_of_gravity(point) * gravity_;
   }
   bool fluid(Index point) const { return walls_->wall(point) < 0; }

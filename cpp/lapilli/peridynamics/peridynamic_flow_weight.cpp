@@ -49,7 +49,7 @@ void PeridynamicFlow<Dim>::balance_density() {
 
 #define LAPILLI_INSTANTIATE(Dim)                                       \
   template double PeridynamicFlow<Dim>::share_of_gravity(Index) const; \
-  template double PeridynamicFlow<Dim>::height_pressure(Index) const; \
+  template double PeridynamicFlow<Dim>::height_pressure(Index) const;  \
   template void PeridynamicFlow<Dim>::find_middle();                   \
   template void PeridynamicFlow<Dim>::balance_density();
 LAPILLI_INSTANTIATE(1)
