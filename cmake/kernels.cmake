@@ -92,6 +92,7 @@ set(kernels
     peridynamics/bond_balance.cpp
     peridynamics/bond_sums.cpp
     peridynamics/borne_weight.cpp
+    peridynamics/conductance_images.cpp
     peridynamics/conductances.cpp
     peridynamics/conduction.cpp
     peridynamics/conduction_at_rest.cpp

@@ -3921,7 +3921,7 @@ class PeridynamicFlow:
     gravity : collections.abc.Sequence[float], m/s^2, default ()
         empty: none
     buoyancy : typing.Literal['reduced', 'full'], default 'reduced'
-        reduced: only what temperature changes; full: all of the weight
+        reduced: only what temperature changes; full: the pressure bears all of the weight
     horizon : float, default 3.015
         fluid horizon, in spacings; above 1 and at most 10
     influence : typing.Literal['gaussian', 'unity', 'spline'], default 'gaussian'
@@ -3972,7 +3972,7 @@ class PeridynamicFlow:
     @property
     def buoyancy(self) -> typing.Literal['reduced', 'full']:
         """
-        reduced: only what temperature changes; full: all of the weight
+        reduced: only what temperature changes; full: the pressure bears all of the weight
         """
     @buoyancy.setter
     def buoyancy(self, value: typing.Literal['reduced', 'full']) -> None:

@@ -5,14 +5,14 @@
 
 #include "lapilli/core/parallel.hpp"
 #include "lapilli/core/require.hpp"
+#include "lapilli/peridynamics/bond_tensor.hpp"
 
 namespace lapilli {
 namespace {
 
 using lanes::multiply_add;
 
-constexpr Index piece = 128;   // points worked on as one piece
-constexpr Index row_size = 8;  // doubles
+constexpr Index piece = conductance_piece;
 constexpr int sweeps_at_rest = 200;
 constexpr double sweep_damping = 0.7;
 
@@ -40,10 +40,16 @@ Conductances<Dim>::Conductances(Points& points, const WallSurface& walls,
       families_(points, weight_.horizon, settings.skin * walls.spacing(), roles_of(walls)),
       insulation_(points, walls, families_),
       correction_(points, Dim),
-      normaliser_(points, 1, lattice_constant_),
-      rows_(static_cast<std::size_t>(points.size()) * row_size, 0.0),
+      normaliser_(points, Row::entries),
+      rows_(static_cast<std::size_t>(points.size() * Row::size), 0.0),
       images_(static_cast<std::size_t>((points.size() + piece - 1) / piece)),
-      image_begin_(static_cast<std::size_t>(points.size()) + 1, 0) {}
+      image_begin_(static_cast<std::size_t>(points.size()) + 1, 0) {
+  for (Index i = 0; i < points.size(); ++i) {
+    for (int d = 0; d < Dim; ++d) {
+      normaliser_[i * Row::entries + Row::entry(d, d)] = lattice_constant_;
+    }
+  }
+}
 
 template <int Dim>
 bool Conductances<Dim>::update() {
@@ -109,140 +115,91 @@ void Conductances<Dim>::balance(double damping, bool normalise) {
 
 template <int Dim>
 void Conductances<Dim>::gather_row(Index i) {
-  double* row = rows_.data() + i * row_size;
+  double* row = rows_.data() + i * Row::size;
   for (int d = 0; d < Dim; ++d) {
     row[d] = points_.position()[i * Dim + d];
-    row[4 + d] = correction_[i * Dim + d];
+    row[Row::correction + d] = correction_[i * Dim + d];
+  }
+  for (int e = 0; e < Row::entries; ++e) {
+    row[Row::tensor(e)] = normaliser_[i * Row::entries + e];
   }
   const int wall = walls_.wall(i);
   const bool adiabatic = wall >= 0 && walls_.walls()[wall].settings.heat == WallHeat::adiabatic;
-  row[3] = adiabatic ? 0.0 : points_.volume()[i];
-  row[7] = normaliser_[i];
-}
-
-template <int Dim>
-void Conductances<Dim>::find_images(Index task) {
-  if (!corrected_) {
-    return;
-  }
-  std::vector<Image>& found = images_[static_cast<std::size_t>(task)];
-  found.clear();
-  for (Index i = task * piece; i < std::min(points_.size(), (task + 1) * piece); ++i) {
-    image_begin_[static_cast<std::size_t>(i)] = static_cast<Index>(found.size());
-    if (families_.owns(i) && insulation_.near(i)) {
-      insulation_.images(i, weight_.horizon, found);
-    }
-  }
-}
-
-template <int Dim>
-std::span<const typename Insulation<Dim>::Image> Conductances<Dim>::images(Index point) const {
-  const auto& found = images_[static_cast<std::size_t>(point / piece)];
-  const bool last = point + 1 == points_.size() || (point + 1) % piece == 0;
-  const auto begin = static_cast<std::size_t>(image_begin_[static_cast<std::size_t>(point)]);
-  const auto end =
-      last ? found.size()
-           : static_cast<std::size_t>(image_begin_[static_cast<std::size_t>(point) + 1]);
-  return std::span(found).subspan(begin, end - begin);
+  row[Row::volume] = adiabatic ? 0.0 : points_.volume()[i];
 }
 
 template <int Dim>
 void Conductances<Dim>::balance_point(Index i, double damping, bool normalise) {
-  const std::int32_t* neighbours = families_.neighbours();
-  const lanes::BondWeightLanes weight(weight_);
-  const double* own = rows_.data() + i * row_size;
-  const Double4 c_own = all(own[7]);
-  const Double4 scale = all(0.5 * conductivity_ * own[3]);
-  const Double4 bound = all(0.8), zero = all(0.0), one = all(1.0);
-  Double4 outward[Dim], moment = zero;
-  std::fill_n(outward, Dim, zero);
-  for (Index k = families_.begin(i); k < families_.padded_end(i); k += lanes::width) {
-    const double* r0 = rows_.data() + neighbours[k] * row_size;
-    const double* r1 = rows_.data() + neighbours[k + 1] * row_size;
-    const double* r2 = rows_.data() + neighbours[k + 2] * row_size;
-    const double* r3 = rows_.data() + neighbours[k + 3] * row_size;
-    Double4 x[4] = {load_quad(r0), load_quad(r1), load_quad(r2), load_quad(r3)};
-    Double4 l[4] = {load_quad(r0 + 4), load_quad(r1 + 4), load_quad(r2 + 4), load_quad(r3 + 4)};
-    lanes::transpose(x[0], x[1], x[2], x[3]);
-    lanes::transpose(l[0], l[1], l[2], l[3]);
-    Double4 squared = zero, tilt = zero;
-    for (int d = 0; d < Dim; ++d) {
-      x[d] -= all(own[d]);
-      squared = multiply_add(x[d], x[d], squared);
-      tilt = multiply_add(all(own[4 + d]) - l[d], x[d], tilt);
-    }
-    tilt = lanes::choose(tilt > bound, bound, lanes::choose(tilt < -bound, -bound, tilt));
-    const Double4 w = weight(squared, square_root(squared)) * x[3] * (one + tilt);
-    moment = multiply_add(w, squared, moment);
-    const Double4 s = w * (c_own + l[3]);
-    store_quad(conductance_.data() + k, s * scale);
-    for (int d = 0; d < Dim; ++d) {
-      outward[d] = multiply_add(s, x[d], outward[d]);
-    }
-  }
-  double out[Dim];
-  for (int d = 0; d < Dim; ++d) {
-    out[d] = lanes::sum(outward[d]);
-  }
-  double total = lanes::sum(moment);
+  Sums sums = sum_row(i);
   if (corrected_ && insulation_.near(i)) {
-    total += hide_bonds(i, out);
-    total += add_images(i, out);
+    hide_bonds(i, sums);
+    add_images(i, sums);
   }
   // The sweep divides by the diagonal block, sum of s Y Y = 4 on a full lattice.
+  const double* own = rows_.data() + i * Row::size;
   for (int d = 0; d < Dim; ++d) {
-    correction_[i * Dim + d] = own[4 + d] - damping * 0.25 * out[d];
+    correction_[i * Dim + d] = own[Row::correction + d] - damping * 0.25 * sums.outward[d];
   }
-  if (normalise && total > 0.0) {
-    normaliser_[i] = 2.0 * Dim / total;
+  if (normalise && sums.moment > 0.0) {
+    improve_tensor<Dim>(normaliser_.data() + i * Row::entries,
+                        4.0 * Mat<Dim>::Identity() - sums.shape, sums.moment, sweep_damping);
   }
 }
 
 template <int Dim>
-double Conductances<Dim>::hide_bonds(Index i, double* out) {
-  const double* own = rows_.data() + i * row_size;
-  double moment = 0.0;
-  for (Index k = families_.wall_begin(i); k < families_.end(i); ++k) {
-    const Index j = families_.neighbour(k);
-    if (conductance_[k] == 0.0 || !insulation_.hides(i, j)) {
-      continue;
+typename Conductances<Dim>::Sums Conductances<Dim>::sum_row(Index i) {
+  const std::int32_t* neighbours = families_.neighbours();
+  const lanes::BondWeightLanes weight(weight_);
+  const double* own = rows_.data() + i * Row::size;
+  const Double4 scale = all(0.5 * conductivity_ * own[Row::volume]);
+  const Double4 bound = all(0.8), zero = all(0.0), one = all(1.0);
+  const Double4 tiny = all(1e-20 * weight_.horizon * weight_.horizon);
+  Double4 outward[Dim], shape[Row::entries], moment = zero;
+  std::fill_n(outward, Dim, zero);
+  std::fill_n(shape, Row::entries, zero);
+  for (Index k = families_.begin(i); k < families_.padded_end(i); k += lanes::width) {
+    Double4 row[Row::size];
+    for (Index quad = 0; quad < Row::size; quad += lanes::width) {
+      for (Index lane = 0; lane < lanes::width; ++lane) {
+        row[quad + lane] = load_quad(rows_.data() + neighbours[k + lane] * Row::size + quad);
+      }
+      lanes::transpose(row[quad], row[quad + 1], row[quad + 2], row[quad + 3]);
     }
-    const double* other = rows_.data() + j * row_size;
-    const double s = conductance_[k] / (0.5 * conductivity_ * own[3]);
-    double squared = 0.0;
+    Double4 squared = zero, tilt = zero, along = zero, x[Dim];
     for (int d = 0; d < Dim; ++d) {
-      squared += (other[d] - own[d]) * (other[d] - own[d]);
-      out[d] -= s * (other[d] - own[d]);
+      x[d] = row[d] - all(own[d]);
+      squared = multiply_add(x[d], x[d], squared);
+      tilt = multiply_add(all(own[Row::correction + d]) - row[Row::correction + d], x[d], tilt);
     }
-    moment -= s / (own[7] + other[7]) * squared;
-    conductance_[k] = 0.0;
+    for (int a = 0; a < Dim; ++a) {
+      for (int b = a; b < Dim; ++b) {
+        const int at = Row::tensor(Row::entry(a, b));
+        along = multiply_add(all(a == b ? 1.0 : 2.0) * x[a] * x[b], row[at] + all(own[at]), along);
+      }
+    }
+    along *= lanes::choose(squared > tiny, one / squared, zero);
+    tilt = lanes::choose(tilt > bound, bound, lanes::choose(tilt < -bound, -bound, tilt));
+    const Double4 w = weight(squared, square_root(squared)) * row[Row::volume] * (one + tilt);
+    moment = multiply_add(w, squared, moment);
+    const Double4 s = w * along;
+    store_quad(conductance_.data() + k, s * scale);
+    for (int a = 0; a < Dim; ++a) {
+      const Double4 sa = s * x[a];
+      outward[a] += sa;
+      for (int b = a; b < Dim; ++b) {
+        shape[Row::entry(a, b)] = multiply_add(sa, x[b], shape[Row::entry(a, b)]);
+      }
+    }
   }
-  return moment;
-}
-
-template <int Dim>
-double Conductances<Dim>::image_weight(const Image& image, Index owner) const {
-  const Index of = image.bond < 0 ? owner : families_.neighbour(image.bond);
-  return weight_(std::sqrt(image.squared)) * rows_[of * row_size + 3];
-}
-
-template <int Dim>
-double Conductances<Dim>::add_images(Index i, double* out) {
-  const double* own = rows_.data() + i * row_size;
-  double moment = 0.0;
-  for (const Image& image : images(i)) {
-    const Index j = image.bond < 0 ? i : families_.neighbour(image.bond);
-    const double w = image_weight(image, i);
-    const double s = w * (own[7] + rows_[j * row_size + 7]);
-    if (image.bond >= 0) {
-      conductance_[image.bond] += 0.5 * conductivity_ * s * own[3];
+  Sums sums;
+  sums.moment = lanes::sum(moment);
+  for (int a = 0; a < Dim; ++a) {
+    sums.outward[a] = lanes::sum(outward[a]);
+    for (int b = a; b < Dim; ++b) {
+      sums.shape(a, b) = sums.shape(b, a) = lanes::sum(shape[Row::entry(a, b)]);
     }
-    for (int d = 0; d < Dim; ++d) {
-      out[d] += s * image.to[d];
-    }
-    moment += w * image.squared;
   }
-  return moment;
+  return sums;
 }
 
 template <int Dim>

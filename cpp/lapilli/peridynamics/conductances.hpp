@@ -3,20 +3,26 @@
 #include <vector>
 
 #include "lapilli/core/archive.hpp"
+#include "lapilli/peridynamics/bond_tensor.hpp"
 #include "lapilli/peridynamics/families.hpp"
 #include "lapilli/peridynamics/heat_settings.hpp"
 #include "lapilli/peridynamics/insulation.hpp"
 
 namespace lapilli {
 
-/// Conductances of bonds, G_ij = k V_i V_j w_ij (c_i + c_j)/2 (1 + (l_i - l_j) . Y_ij), W/K: the
-/// same seen from both ends, so that heat is conserved to rounding.
+/// Points worked on as one piece.
+inline constexpr Index conductance_piece = 128;
+
+/// Conductances of bonds, G_ij = k V_i V_j w_ij y . (C_i + C_j) y / 2 (1 + (l_i - l_j) . Y_ij),
+/// W/K, y = Y/|Y|: the same seen from both ends, so that heat is conserved to rounding.
 ///
 /// The vectors l are chosen so that the bonds of a point balance, sum of G_ij Y_ij = 0: then fields
 /// linear in space give no rate, on irregular points too. They come from damped Jacobi sweeps, many
-/// for points at rest, one a step for moving ones, started from the last. c_i is
-/// 2 dimension / (sum of w r^2 V). `compact` leaves l = 0 and takes c of a full lattice. Images in
-/// adiabatic walls (`corrected`, see Insulation) add to the bond of the point they are images of.
+/// for points at rest, one a step for moving ones, started from the last. So do the symmetric C,
+/// such that sum of G Y Y = 2 k V_i 1: where points conduct better along one direction than along
+/// another, as they come to lie, all together conduct too little, however fine they are. `compact`
+/// leaves l = 0 and takes C of a full lattice. Images in adiabatic walls (`corrected`, see
+/// Insulation) add to the bond of the point they are images of.
 template <int Dim>
 class Conductances {
  public:
@@ -42,6 +48,19 @@ class Conductances {
 
  private:
   using Image = typename Insulation<Dim>::Image;
+  using Row = ConductanceRow<Dim>;
+  /// What the bonds of a point add up to, with s = 2 G/(k V_i).
+  struct Sums {
+    Vec<Dim> outward = Vec<Dim>::Zero();  // sum of s Y
+    Mat<Dim> shape = Mat<Dim>::Zero();    // sum of s Y Y
+    double moment = 0.0;                  // sum of w V Y^2 (1 + tilt)
+
+    void add(const Vec<Dim>& bond, double s, double w) {
+      outward += s * bond;
+      shape += s * bond * bond.transpose();
+      moment += w * bond.squaredNorm();
+    }
+  };
 
   void find_families();
   /// Conductances of all bonds as l and c are now; then a sweep that improves l by `damping` and,
@@ -50,10 +69,13 @@ class Conductances {
   void gather_row(Index point);
   void find_images(Index task);
   void balance_point(Index point, double damping, bool normalise);
-  /// Take bonds back that an adiabatic wall hides; what the moment of `point` loses.
-  double hide_bonds(Index point, double* out);
+  /// Conductances of the bonds of a point, before adiabatic walls.
+  Sums sum_row(Index point);
+  /// Take bonds back that an adiabatic wall hides.
+  void hide_bonds(Index point, Sums& sums);
   double image_weight(const Image& image, Index owner) const;
-  double add_images(Index point, double* out);
+  /// Images carry the mean of C: seen from both ends their bonds have two directions.
+  void add_images(Index point, Sums& sums);
   /// The images that a point sees.
   std::span<const Image> images(Index point) const;
 
@@ -66,9 +88,9 @@ class Conductances {
   Families families_;
   Insulation<Dim> insulation_;
   PointArray correction_;         // l, 1/m
-  PointArray normaliser_;         // c, 1/m^(Dim+2)
+  PointArray normaliser_;         // C, 1/m^(Dim+2)
   std::vector<TaskRange> reach_;  // pieces in which the families of a piece lie
-  LargeArray<double> rows_;       // a point: x y z V | l c
+  LargeArray<double> rows_;       // see ConductanceRow
   LargeArray<double> conductance_;
   std::vector<std::vector<Image>> images_;  // a piece of points
   std::vector<Index> image_begin_;          // in its piece

@@ -22,8 +22,7 @@ class Flow : public Physics {
   virtual PointArray& velocity() = 0;                 //
   virtual const PointArray& density() const = 0;      // kg/m^3
   virtual const PointArray* dissipation() const = 0;  // W/m^3; nullptr unless asked for
-  /// How far the last step shifted each point to keep all evenly spread, m, rows x dimension;
-  /// nullptr without heat, which alone asks.
+  /// How far the last step shifted each point to keep all evenly spread, m, rows x dimension.
   virtual const PointArray* shifted() const = 0;
   virtual double sound_speed() const = 0;  // m/s
   /// rms(v - its mean over the family) / rms(v) over the fluid; 0 at rest.

@@ -12,7 +12,7 @@ namespace lapilli {
 /// How temperature drives the flow.
 enum class Buoyancy {
   reduced,  // b = -rho0 beta (T - T_ref) g: only the part of gravity that moves anything
-  full      // rho0 (1 - beta (T - T_ref)) g, the paper's; see PeridynamicFlowSettings::buoyancy
+  full      // rho0 (1 - beta (T - T_ref)) g, the paper's: the same flow, and pressure of all weight
 };
 
 template <>
@@ -25,8 +25,8 @@ struct Names<Buoyancy> {
 struct PeridynamicFlowSettings {
   std::vector<double> gravity;  // m/s^2; empty: none
 
-  /// The full form balances the whole weight by pressure: its error is 1/(beta dT) times the
-  /// buoyancy, and the sound speed follows sqrt(g l) instead of sqrt(g beta dT l).
+  /// A uniform weight and the pressure rho0 g . x that bears it cancel wherever points are. Neither
+  /// enters the sums over bonds: their error would be 1/(beta dT) times the buoyancy.
   Buoyancy buoyancy = Buoyancy::reduced;
 
   double horizon = 3.015;  // in spacings
@@ -49,7 +49,9 @@ struct PeridynamicFlowSettings {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit(Key("gravity").unit("m/s^2").length(0, 3).text("empty: none"), self.gravity);
-    visit(Key("buoyancy").text("reduced: only what temperature changes; full: all of the weight"),
+    visit(Key("buoyancy")
+              .text("reduced: only what temperature changes; full: the pressure bears all of the "
+                    "weight"),
           self.buoyancy);
     visit(Key("horizon").range(1.0, 10.0, true).text("fluid horizon, in spacings"), self.horizon);
     visit(Key("influence").text("weight of a bond by its length"), self.influence);

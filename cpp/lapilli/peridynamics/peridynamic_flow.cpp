@@ -52,6 +52,7 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
       weight_{settings.influence, settings.horizon * walls_->spacing(), walls_->spacing(), true},
       lattice_constant_(2.0 / lattice_moment(Dim, weight_)),
       gravity_(vector_of<Dim>(settings.gravity)),
+      middle_(Vec<Dim>::Zero()),
       sound_speed_(choose_sound_speed(points, *walls_, settings, fluid, heat)),
       pressure_{fluid.newtonian.density, sound_speed_, settings.stiffness_exponent},
       two_field_(settings.laplacian == Laplacian::literal ||
@@ -61,6 +62,7 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
       density_(points, 1, fluid.newtonian.density),
       mass_(points, 1),
       shift_(points, Dim),
+      shifted_(points, Dim),
       pressure_field_(points, 1),
       force_(points.size()),
       families_(points, weight_.horizon, settings.skin * walls_->spacing(), roles_of(*walls_)),
@@ -69,15 +71,11 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
       smallest_spacing_(walls_->spacing()) {
   const auto rows = static_cast<std::size_t>(points.size());
   rows_.assign(rows * row_size, 0.0);
-  const bool has_weight = heat_ != nullptr || settings_.buoyancy == Buoyancy::full;
-  if (has_weight && !gravity_.isZero(0.0)) {
+  if (heat_ != nullptr && !gravity_.isZero(0.0)) {
     borne_.emplace(*walls_, families_, gravity_);
   }
   gradient_.assign(two_field_ ? rows : 0, Mat<Dim>::Zero());
   inverse_shape_.assign(two_field_ ? rows : 0, Mat<Dim>::Zero());
-  if (heat_ != nullptr) {
-    shifted_ = std::make_unique<PointArray>(points, Dim);
-  }
   if (with_dissipation) {
     dissipation_ = std::make_unique<PointArray>(points, 1);
   }
@@ -195,9 +193,7 @@ void PeridynamicFlow<Dim>::kick_and_drift(const Step& step) {
         const double squared = away.squaredNorm();
         const Vec<Dim> shifted = (squared > most * most ? most / std::sqrt(squared) : 1.0) * away;
         by = dt * v + shifted;
-        if (shifted_) {
-          Eigen::Map<Vec<Dim>>(shifted_->data() + i * Dim) = shifted;
-        }
+        Eigen::Map<Vec<Dim>>(shifted_.data() + i * Dim) = shifted;
       } else if (walls_->walls()[walls_->wall(i)].settings.moves) {
         by = dt * v;
       }

@@ -23,11 +23,11 @@ inline constexpr Index flow_piece = 128;
 /// Eqs. 26, 27, 33-36, 38), velocity Verlet.
 ///
 /// Differs from the paper where its equations do not run: stress from the new density (not Eq. 35),
-/// shifting away from neighbours (not Eq. 38), reduced buoyancy, a diffusion of density that leaves
-/// alone what bears the weight (as Fourtakas et al. 2019). Walls are
-/// layers of points that carry pressure; a wall point at depth d_j shows a fluid point at distance
-/// d_i the velocity v_s + (v_s - v_i) d_j/d_i. Not modelled: free surfaces, turbulence, a second
-/// fluid.
+/// shifting away from neighbours (not Eq. 38), a uniform weight left to its own pressure, a
+/// diffusion of density that leaves alone what bears the weight (as Fourtakas et al. 2019). Walls
+/// are layers of points that carry pressure; a wall point at depth d_j shows a fluid point at
+/// distance d_i the velocity v_s + (v_s - v_i) d_j/d_i. Not modelled: free surfaces, turbulence, a
+/// second fluid.
 template <int Dim>
 class PeridynamicFlow final : public Flow, public Warnings {
  public:
@@ -53,7 +53,7 @@ class PeridynamicFlow final : public Flow, public Warnings {
   }
   const PointArray& density() const override { return density_; }
   const PointArray* dissipation() const override { return dissipation_.get(); }
-  const PointArray* shifted() const override { return shifted_.get(); }
+  const PointArray* shifted() const override { return &shifted_; }
   double sound_speed() const override { return sound_speed_; }
   double velocity_noise() const override {
     return lapilli::velocity_noise<Dim>(*walls_, families_, weight_, velocity_);
@@ -92,8 +92,13 @@ class PeridynamicFlow final : public Flow, public Warnings {
   };
   Pace pace() const;
 
-  double share_of_gravity(Index point) const;  // 1, at the temperature of the point
-  Vec<Dim> body_force(Index point) const {     // acceleration, m/s^2
+  /// Share of gravity by which a point is heavier than the fluid in the mean, 1.
+  double share_of_gravity(Index point) const;
+  /// Pressure of the uniform weight, Pa. It balances that weight exactly wherever points are, so
+  /// neither enters the sums over bonds; `find_middle` says where it is zero.
+  double height_pressure(Index point) const;
+  void find_middle();
+  Vec<Dim> body_force(Index point) const {  // acceleration, m/s^2
     return share_of_gravity(point) * gravity_;
   }
   bool fluid(Index point) const { return walls_->wall(point) < 0; }
@@ -109,17 +114,17 @@ class PeridynamicFlow final : public Flow, public Warnings {
   PrintedEquations printed_;
   BondWeight weight_;
   double lattice_constant_;
-  Vec<Dim> gravity_;
+  Vec<Dim> gravity_, middle_;  // m/s^2; m, mean place of the fluid
   double sound_speed_;
   EquationOfState pressure_;
   bool two_field_;
   bool walls_slide_ = false;  // any wall has a velocity
 
-  PointArray velocity_, acceleration_, density_, mass_, shift_, pressure_field_;
-  std::unique_ptr<PointArray> dissipation_, shifted_;
+  PointArray velocity_, acceleration_, density_, mass_, shift_, shifted_, pressure_field_;
+  std::unique_ptr<PointArray> dissipation_;
   StressForce<Dim> force_;
   Families families_;
-  std::optional<BorneWeight<Dim>> borne_;  // where anything has weight
+  std::optional<BorneWeight<Dim>> borne_;  // where temperature gives weight
   LargeArray<double> rows_;
   BondScratch bond_weights_;                        // w V, from the density to the force
   std::vector<Mat<Dim>> gradient_, inverse_shape_;  // kept for two fields only

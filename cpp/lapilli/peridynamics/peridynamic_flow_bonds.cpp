@@ -77,6 +77,10 @@ void PeridynamicFlow<Dim>::update_point(Index point, const BondSums<Dim>& sums, 
   }
   force_.set(point, stress, rows_.data() + point * row_size, viscous, sums.bond);
   if (fluid(point)) {
+    // A point that is shifted takes the velocity of the place it comes to, with the second half of
+    // the kick; until then the acceleration is free.
+    Eigen::Map<Vec<Dim>>(acceleration_.data() + point * Dim) =
+        gradient * Eigen::Map<const Vec<Dim>>(shifted_.data() + point * Dim);
     const double mean = sums.count > 0.0 ? sums.length / sums.count : 0.0;
     for (int d = 0; d < Dim; ++d) {
       shift_[point * Dim + d] = mean * mean * sums.crowding[d];
@@ -118,8 +122,8 @@ void PeridynamicFlow<Dim>::accelerate_and_kick(Index task, double step_size) {
     }
     const Vec<Dim> a = force_(i, families_, weights) / density_[i] + body_force(i);
     for (int d = 0; d < Dim; ++d) {
+      velocity_[i * Dim + d] += step_size * a[d] + acceleration_[i * Dim + d];
       acceleration_[i * Dim + d] = a[d];
-      velocity_[i * Dim + d] += step_size * a[d];
     }
   }
   piece_fastest_[task] = fastest_squared(begin, end);

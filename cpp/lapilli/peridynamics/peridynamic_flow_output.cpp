@@ -28,8 +28,12 @@ double two_digits(double number) {
 
 template <int Dim>
 void PeridynamicFlow<Dim>::refresh_output() {
+  const bool weighs = settings_.buoyancy == Buoyancy::full;
+  if (weighs) {
+    find_middle();
+  }
   for (Index i = 0; i < points_.size(); ++i) {
-    pressure_field_[i] = pressure_(density_[i]);
+    pressure_field_[i] = pressure_(density_[i]) + (weighs ? height_pressure(i) : 0.0);
   }
 }
 
@@ -112,9 +116,7 @@ void PeridynamicFlow<Dim>::save(Archive& archive) const {
   archive.write("flow/density", density_.values());
   archive.write("flow/mass", mass_.values());
   archive.write("flow/shift", shift_.values());
-  if (shifted_) {
-    archive.write("flow/shifted", shifted_->values());
-  }
+  archive.write("flow/shifted", shifted_.values());
   const double numbers[] = {least_density_, most_density_,        smallest_spacing_,
                             sound_speed_,   started_ ? 1.0 : 0.0, age_};
   archive.write("flow/numbers", numbers);
@@ -134,9 +136,7 @@ void PeridynamicFlow<Dim>::load(const Archive& archive) {
   archive.read("flow/density", density_.values());
   archive.read("flow/mass", mass_.values());
   archive.read("flow/shift", shift_.values());
-  if (shifted_) {
-    archive.read("flow/shifted", shifted_->values());
-  }
+  archive.read("flow/shifted", shifted_.values());
   double numbers[6];
   archive.read("flow/numbers", numbers);
   least_density_ = numbers[0];

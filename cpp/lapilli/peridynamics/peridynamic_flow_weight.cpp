@@ -7,8 +7,25 @@ namespace lapilli {
 template <int Dim>
 double PeridynamicFlow<Dim>::share_of_gravity(Index point) const {
   const double warmer = heat_ != nullptr ? heat_->temperature()[point] - reference_ : 0.0;
-  const double by_heat = -fluid_.thermal_expansion * warmer;
-  return settings_.buoyancy == Buoyancy::reduced ? by_heat : 1.0 + by_heat;
+  return -fluid_.thermal_expansion * warmer;
+}
+
+template <int Dim>
+double PeridynamicFlow<Dim>::height_pressure(Index point) const {
+  return fluid_.density * gravity_.dot(points_.position<Dim>(point) - middle_);
+}
+
+template <int Dim>
+void PeridynamicFlow<Dim>::find_middle() {
+  middle_.setZero();
+  double mass = 0.0;
+  for (Index i = 0; i < points_.size(); ++i) {
+    if (fluid(i)) {
+      middle_ += mass_[i] * points_.position<Dim>(i);
+      mass += mass_[i];
+    }
+  }
+  middle_ /= mass;
 }
 
 template <int Dim>
@@ -32,6 +49,8 @@ void PeridynamicFlow<Dim>::balance_density() {
 
 #define LAPILLI_INSTANTIATE(Dim)                                       \
   template double PeridynamicFlow<Dim>::share_of_gravity(Index) const; \
+  template double PeridynamicFlow<Dim>::height_pressure(Index) const;  \
+  template void PeridynamicFlow<Dim>::find_middle();                   \
   template void PeridynamicFlow<Dim>::balance_density();
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

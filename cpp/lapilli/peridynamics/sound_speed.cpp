@@ -126,14 +126,12 @@ double choose_sound_speed(const Points& points, const WallSurface& walls,
   }
   const Vec3 gravity = place(settings.gravity);
   const double length = settings.length > 0.0 ? settings.length : length_of(points, walls, gravity);
-  double drive = gravity.norm();  // m/s^2
-  if (settings.buoyancy == Buoyancy::reduced) {
-    double range = settings.temperature_range;
-    if (range == 0.0 && heat != nullptr) {
-      range = temperature_range(points, *heat, length);
-    }
-    drive *= std::abs(fluid.newtonian.thermal_expansion) * range;
+  double range = settings.temperature_range;
+  if (range == 0.0 && heat != nullptr) {
+    range = temperature_range(points, *heat, length);
   }
+  const double drive =
+      gravity.norm() * std::abs(fluid.newtonian.thermal_expansion) * range;  // m/s^2
   const double speed =
       std::max({settings.sound_speed_factor * std::sqrt(drive * length), 10.0 * moving,
                 10.0 * fluid.newtonian.viscosity / fluid.newtonian.density / length});

@@ -121,12 +121,12 @@ TEST_CASE("the sound speed follows what drives the flow") {
           Approx(5.0 * std::sqrt(1e4 * 0.71)).epsilon(1e-9));
   REQUIRE(natural_convection(layout, 0.0).flow->sound_speed() == Approx(7.1));
   PeridynamicFlowSettings flow;
-  flow.buoyancy = Buoyancy::full;
+  flow.buoyancy = Buoyancy::full;  // the uniform weight drives nothing
   Fluid fluid = cavity::unit_fluid();
   fluid.newtonian.thermal_expansion = 0.01;
   flow.gravity = {0.0, -100.0};
   REQUIRE(Case(layout, {}, flow, cavity::make_walls(1.0, 0.0), fluid).flow->sound_speed() ==
-          Approx(50.0));
+          Approx(10.0));
 
   // What is between a wall and the fluid at the start drives, too; so do tables at their extremes,
   // and fluxes by what conduction would need for them.

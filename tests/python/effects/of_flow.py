@@ -40,7 +40,7 @@ EFFECTS: dict[str, Effect] = {
         W, "peridynamics.flow.gravity", (0, -1000), (0, -500), largest("velocity"), "<"
     ),
     "PeridynamicFlow.buoyancy": Effect(
-        W, "peridynamics.flow.buoyancy", "reduced", "full", number("flow/sound_speed"), ">"
+        W, "peridynamics.flow.buoyancy", "reduced", "full", size("pressure"), "!="
     ),
     "PeridynamicFlow.horizon": Effect(W, "peridynamics.flow.horizon", 3.015, 2.015, VELOCITY, "!="),
     "PeridynamicFlow.laplacian": Effect(

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lapilli/core/require.hpp"
+#include "lapilli/materials/return_along.hpp"
 
 namespace lapilli {
 namespace {
@@ -69,13 +70,14 @@ SymmetricTensor SolidState::trial(Index point, Index body, const SymmetricTensor
 SymmetricTensor SolidState::stress_after(Index point, Index body,
                                          const SymmetricTensor& strain) const {
   auto state = states_.read(body, point);
-  return return_stress(laws_[body], trial(point, body, strain), state.data());
+  return return_along(laws_[body], stress(point), stress_of(elastic_[body], strain), state.data());
 }
 
 bool SolidState::yields_after(Index point, Index body, const SymmetricTensor& strain) const {
   auto state = states_.read(body, point);
   const SymmetricTensor elastic = trial(point, body, strain);
-  const SymmetricTensor reached = return_stress(laws_[body], elastic, state.data());
+  const SymmetricTensor reached =
+      return_along(laws_[body], stress(point), stress_of(elastic_[body], strain), state.data());
   constexpr double rounding = 1e-12;
   double size = 0.0, change = 0.0;
   for (int c = 0; c < 6; ++c) {
@@ -90,7 +92,7 @@ Stiffness SolidState::tangent_after(Index point, Index body, const SymmetricTens
   const Stiffness elastic = stiffness_of(elastic_[body]);
   auto state = states_.read(body, point);
   StressSlope slope;
-  stress_and_slope(laws_[body], trial(point, body, strain), state.data(), slope);
+  slope_along(laws_[body], stress(point), stress_of(elastic_[body], strain), state.data(), slope);
   const Stiffness tangent = slope * elastic;
   return elastic_share * elastic + (1.0 - elastic_share) * 0.5 * (tangent + tangent.transpose());
 }
@@ -113,7 +115,7 @@ double SolidState::stiffness_left(Index point, Index body, const SymmetricTensor
 void SolidState::strain(Index point, Index body, const SymmetricTensor& strain) {
   auto state = states_.read(body, point);
   const SymmetricTensor reached =
-      return_stress(laws_[body], trial(point, body, strain), state.data());
+      return_along(laws_[body], stress(point), stress_of(elastic_[body], strain), state.data());
   states_.write(body, point, state.data());
   for (int c = 0; c < 6; ++c) {
     stress_[6 * point + c] = reached[c];

@@ -55,7 +55,7 @@ PLANS = {
     1e5: Plan(rows=80, end=0.15, nusselt=0.02, horizontal=0.03, vertical=0.03, noise=0.06),
 }
 # At half the points: the bars doubled, and the noise of a coarser mean.
-QUICK = Plan(rows=40, end=0.12, nusselt=0.02, horizontal=0.02, vertical=0.03, noise=0.06,
+QUICK = Plan(rows=40, end=0.2, nusselt=0.02, horizontal=0.02, vertical=0.03, noise=0.06,
              local=0.1, spacing=0.65)  # fmt: skip
 FINEST = Plan(rows=160, end=0.08, nusselt=0.04, horizontal=1.0, vertical=1.0, noise=0.1)
 
