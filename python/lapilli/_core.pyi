@@ -2848,7 +2848,7 @@ class Support:
     within : Shape | None, default None
         the part of the surface that counts; absent: all of it
     displacement : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], m, default ()
-        of the wall since time 0, one value an axis; empty: it stands
+        of the support since time 0, one value an axis; empty: it stands
     advance : float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any], m, default 0.0
         of the face along its normal into the material since time 0: a hole that widens
     """
@@ -2879,7 +2879,7 @@ class Support:
     @property
     def displacement(self) -> collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]:
         """
-        of the wall since time 0, one value an axis; empty: it stands, m
+        of the support since time 0, one value an axis; empty: it stands, m
         """
     @displacement.setter
     def displacement(self, value: collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]]) -> None:
@@ -3032,7 +3032,7 @@ class QuasiStatic:
     Parameters
     ----------
     enforcement : typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'], default 'mean-gap'
-        how walls are imposed where they do not fit the grid
+        how supports are imposed where they do not fit the grid
     bandwidth : float | None, cells, default None
         of the stiff constraint; absent: 1e-3, literal 1e-6; above 0 and at most 1 (cells)
     gap_bandwidth : float | None, cells, default None
@@ -3040,7 +3040,7 @@ class QuasiStatic:
     ghost_penalty : float | None, default None
         stabilisation of cut and surface cells; absent: 0.01, literal none; from 0 to 1
     hold_empty_cells : bool, default True
-        a wall in an empty cell next to material keeps its hold
+        a support in an empty cell next to material keeps its hold
     reset : float | None, cells, default None
         points keep their shape functions until one has moved this far; absent: 0.1, literal 0; from 0 to 1 (cells)
     relaxation : float | None, cells, default None
@@ -3050,7 +3050,7 @@ class QuasiStatic:
     b_bar : bool | None, default 'auto'
         points take the mean dilatation of their cell, so that it does not lock; absent: those of a Poisson ratio above 0.4
     max_penetration : float, cells, default 0.5
-        a point further behind a wall fails the load step; above 0 (cells)
+        a point further behind a support fails the load step; above 0 (cells)
     gravity : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], m/s^2, default ()
         acts on the density of every body, one value an axis; empty: none
     body_force : collections.abc.Sequence[float | Table | tuple[collections.abc.Sequence[float], collections.abc.Sequence[float]] | collections.abc.Callable[..., typing.Any]], N/m^3, default ()
@@ -3109,7 +3109,7 @@ class QuasiStatic:
     @property
     def enforcement(self) -> typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty']:
         """
-        how walls are imposed where they do not fit the grid
+        how supports are imposed where they do not fit the grid
         """
     @enforcement.setter
     def enforcement(self, value: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty']) -> None:
@@ -3141,7 +3141,7 @@ class QuasiStatic:
     @property
     def hold_empty_cells(self) -> bool:
         """
-        a wall in an empty cell next to material keeps its hold
+        a support in an empty cell next to material keeps its hold
         """
     @hold_empty_cells.setter
     def hold_empty_cells(self, value: bool) -> None:
@@ -3165,7 +3165,7 @@ class QuasiStatic:
     @property
     def max_penetration(self) -> float:
         """
-        a point further behind a wall fails the load step, cells
+        a point further behind a support fails the load step, cells
         """
     @max_penetration.setter
     def max_penetration(self, value: float) -> None:

@@ -58,6 +58,10 @@ inline constexpr NoteKind note_kinds[] = {
      "The region of a condition ends less than a third of a cell below a face that it runs along, "
      "and has it.",
      "Let it end beyond the face, or further below."},
+    {"heat.few-cells",
+     "A body is heated or cooled from within, and so thin that cells do not resolve how its "
+     "temperature rises.",
+     "Smaller cells; the note says how far off the rise is."},
     {"heat.shallow", "A run ends before heat has come as deep as the cells at the surface.",
      "The cells that the note names, or a later end."},
     {"heat.held-side-by-side",

@@ -169,9 +169,6 @@ std::unique_ptr<Dynamics<Dim>> dynamics_of(const Scene& scene, const Grid<Dim>& 
   }
   problem.notes = [&stress] { return stress.notes(); };
   problem.start = beginning.start;
-  if (!initial) {
-    problem.shapes = shapes_of(scene);
-  }
   return at_place(scene, "dynamics", [&] { return make_dynamics<Dim>(points, problem); });
 }
 

@@ -64,7 +64,7 @@ struct WarmRun {
       solid.name = message("body ", number);
       solid.spacing = filled.spacing;
       motion.bodies.push_back(solid);
-      motion.shapes.push_back(body.shape);
+      motion.bodies.back().shape = body.shape;
       Thermal thermal;
       thermal.density = 1.0;
       thermal.specific_heat = 1.0;

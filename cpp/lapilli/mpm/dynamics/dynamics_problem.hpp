@@ -40,7 +40,6 @@ struct DynamicsProblem {
   std::vector<DynamicsBody> bodies;  // by body number of the points
   DynamicsSettings settings;
   DistanceFunction distance = {};  // signed distance to the union of the bodies; may be empty
-  std::vector<Shape> shapes = {};  // by body; empty where not all are known, or bodies go on
   std::shared_ptr<const PointStart> start = {};   // null where all points start anew
   std::function<std::vector<Note>()> notes = {};  // on the stresses that bodies started with
 };

@@ -55,13 +55,18 @@ AreaRatios::Found SurfaceLoads<Dim>::areas_without_others(
 template <int Dim>
 void SurfaceLoads<Dim>::compare_with_shapes(const DynamicsData<Dim>& data,
                                             const DynamicsProblem<Dim>& problem) {
-  if (!problem.shapes.empty()) {
-    const ShapeAreas wanted = areas_of_shapes<Dim>(data.grid, data.shape, problem.shapes,
-                                                   regions_of(laws_), contact_faces(data.walls));
-    ratios_ = AreaRatios(wanted, [&](const std::vector<std::size_t>& bodies) {
-      return areas_without_others(data, problem.distance, bodies);
-    });
+  std::vector<Shape> shapes;
+  for (const DynamicsBody& body : problem.bodies) {
+    if (!body.shape) {
+      return;
+    }
+    shapes.push_back(*body.shape);
   }
+  const ShapeAreas wanted = areas_of_shapes<Dim>(data.grid, data.shape, shapes, regions_of(laws_),
+                                                 contact_faces(data.walls));
+  ratios_ = AreaRatios(wanted, [&](const std::vector<std::size_t>& bodies) {
+    return areas_without_others(data, problem.distance, bodies);
+  });
 }
 
 template <int Dim>

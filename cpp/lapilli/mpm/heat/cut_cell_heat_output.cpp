@@ -5,6 +5,7 @@
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/bridged_gaps.hpp"
+#include "lapilli/mpm/heat/coarse_sources.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
 #include "lapilli/mpm/heat/drawn_gaps.hpp"
 #include "lapilli/mpm/heat/functions_in_time.hpp"
@@ -123,6 +124,8 @@ std::vector<Note> CutCellHeat<Dim>::warnings() const {
                     std::back_inserter(all));
   std::ranges::copy(narrow_holds(found_, problem_.settings), std::back_inserter(all));
   std::ranges::copy(regions_below(found_, problem_.settings, problem_.grid.cell_size()),
+                    std::back_inserter(all));
+  std::ranges::copy(coarse_sources<Dim>(found_, problem_, temperature_span(), time_),
                     std::back_inserter(all));
   std::ranges::copy(fluxes_beside(found_, problem_.settings, laws_.account()),
                     std::back_inserter(all));

@@ -5,6 +5,7 @@
 #include "lapilli/core/pair_entries.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/bridged_gaps.hpp"
+#include "lapilli/mpm/heat/coarse_sources.hpp"
 #include "lapilli/mpm/heat/drawn_gaps.hpp"
 #include "lapilli/mpm/heat/enthalpy_heat.hpp"
 #include "lapilli/mpm/heat/meeting_conditions.hpp"
@@ -162,6 +163,7 @@ std::vector<Note> EnthalpyHeat<Dim>::warnings() const {
   std::ranges::copy(narrow_holds(found_, problem_.settings), std::back_inserter(all));
   std::ranges::copy(regions_below(found_, problem_.settings, problem_.grid.cell_size()),
                     std::back_inserter(all));
+  std::ranges::copy(coarse_sources<Dim>(found_, problem_, 0.0, time_), std::back_inserter(all));
   std::ranges::copy(fluxes_beside(found_, problem_.settings, laws_.account()),
                     std::back_inserter(all));
   std::ranges::copy(crossing_heat(found_, problem_.bodies, problem_.settings, laws_.account(),
