@@ -3032,7 +3032,7 @@ class QuasiStatic:
     Parameters
     ----------
     enforcement : typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty'], default 'mean-gap'
-        how supports are imposed where they do not fit the grid
+        how supports that do not fit the grid are imposed
     bandwidth : float | None, cells, default None
         of the stiff constraint; absent: 1e-3, literal 1e-6; above 0 and at most 1 (cells)
     gap_bandwidth : float | None, cells, default None
@@ -3040,7 +3040,7 @@ class QuasiStatic:
     ghost_penalty : float | None, default None
         stabilisation of cut and surface cells; absent: 0.01, literal none; from 0 to 1
     hold_empty_cells : bool, default True
-        a support in an empty cell next to material keeps its hold
+        supports in empty cells beside material still hold it
     reset : float | None, cells, default None
         points keep their shape functions until one has moved this far; absent: 0.1, literal 0; from 0 to 1 (cells)
     relaxation : float | None, cells, default None
@@ -3109,7 +3109,7 @@ class QuasiStatic:
     @property
     def enforcement(self) -> typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty']:
         """
-        how supports are imposed where they do not fit the grid
+        how supports that do not fit the grid are imposed
         """
     @enforcement.setter
     def enforcement(self, value: typing.Literal['mean-gap', 'pointwise', 'literal', 'nitsche', 'penalty']) -> None:
@@ -3141,7 +3141,7 @@ class QuasiStatic:
     @property
     def hold_empty_cells(self) -> bool:
         """
-        a support in an empty cell next to material keeps its hold
+        supports in empty cells beside material still hold it
         """
     @hold_empty_cells.setter
     def hold_empty_cells(self, value: bool) -> None:

@@ -133,7 +133,7 @@ def test_an_indefinite_matrix_is_refused(turned: lp.Scene) -> None:
     settings.enforcement, settings.gap_bandwidth, settings.ghost_penalty = "nitsche", 1.0, 0.0
     said = failure(turned)
     assert "not positive definite" in said
-    assert "next to wall" in said
+    assert "next to support" in said
 
 
 def test_the_last_converged_state_is_written(tmp_path: Path) -> None:

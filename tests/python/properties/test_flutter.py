@@ -112,12 +112,12 @@ def sliding(friction: float, degrees: float, end: float) -> tuple[np.ndarray, np
 def test_flutter_grows_as_finite_elements_say(
     friction: float, degrees: float, begin: float, end: float
 ) -> None:
-    """While it is small: 4.6 and 2.4 for 5.8 and 3.1 per second. It mixes with modes that grow more
+    """While it is small: 5.0 and 3.0 for 5.8 and 3.1 per second. It mixes with modes that grow more
     slowly, and ends where the edges of the block let go."""
     times, wander, _ = sliding(friction, degrees, end)
     chosen = times > begin
     found = np.polyfit(times[chosen], np.log(wander[chosen]), 1)[0]
-    assert found == pytest.approx(0.8 * growth_by_finite_elements(friction), rel=0.2)
+    assert found == pytest.approx(0.93 * growth_by_finite_elements(friction), rel=0.15)
 
 
 def test_what_flutters_slides_at_its_acceleration_in_the_mean() -> None:

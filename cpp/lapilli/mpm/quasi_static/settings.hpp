@@ -131,7 +131,7 @@ struct QuasiStaticSettings {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(Key("enforcement").text("how supports are imposed where they do not fit the grid"),
+    visit(Key("enforcement").text("how supports that do not fit the grid are imposed"),
           self.enforcement);
     visit(Key("bandwidth")
               .unit("cells")
@@ -149,9 +149,8 @@ struct QuasiStaticSettings {
               .range(0.0, 1.0)
               .text("stabilisation of cut and surface cells; absent: 0.01, literal none"),
           self.ghost_penalty);
-    visit(
-        Key("hold_empty_cells").text("a support in an empty cell next to material keeps its hold"),
-        self.hold_empty_cells);
+    visit(Key("hold_empty_cells").text("supports in empty cells beside material still hold it"),
+          self.hold_empty_cells);
     visit(Key("reset").unit("cells").range(0.0, 1.0).text(
               "points keep their shape functions until one has moved this far; absent: 0.1, "
               "literal 0"),

@@ -69,10 +69,10 @@ void ObstacleContacts<Dim>::set_skins(const DynamicsData<Dim>& data, const Point
     const bool goes_on = before != nullptr && before->state && before->row[points.id()[row]] >= 0;
     const DynamicsBody& body = problem.bodies[static_cast<std::size_t>(points.body()[row])];
     double* skin = skin_.data() + row * skin_.components();
-    skin[0] = skin[1] =
-        goes_on ? skins.of(row) : skins.towards(points, body, row, [&](const Vec3& place) {
-          return Vec3(-normal_at(place));
-        });
+    skin[1] = points.volume()[row];
+    skin[0] = goes_on ? skins.of(row) : skins.towards(points, body, row, [&](const Vec3& place) {
+      return Vec3(-normal_at(place));
+    });
   });
   const std::string known = message("dynamics/obstacles/", earlier, "/skins");
   if (before != nullptr && earlier >= 0 && before->state->contains(known)) {

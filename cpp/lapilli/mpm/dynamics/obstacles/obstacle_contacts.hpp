@@ -97,8 +97,7 @@ class ObstacleContacts {
   template <class Found, class Take>
   std::vector<Found> near(const DynamicsData<Dim>& data, const Take& take) const;
   double face_of(const DynamicsData<Dim>& data, Index row) const;
-  double skin(Index row) const { return skin_.data()[row * skin_.components()]; }
-  void stretch_skin(Index row, double gap);
+  double skin(const DynamicsData<Dim>& data, Index row) const;
   ObstacleSurface surface() const { return {obstacle_.shape, motion_}; }
   double clearance(const Vec3& x) const { return surface().gap(x); }
   Vec3 normal_at(const Vec3& x) const { return surface().normal(x); }
@@ -115,7 +114,7 @@ class ObstacleContacts {
 
   Obstacle obstacle_;
   std::string name_;
-  PointArray skin_;           // m, of the material of points towards it: now, and at the start
+  PointArray skin_;  // m, of the material of points towards it at the start, and their volume then
   std::vector<double> lags_;  // s, by body: what friction needs to feel a change of the push
   RigidMotion motion_;
   double reach_ = 0.0;     // m, from the centre of turning to the farthest surface

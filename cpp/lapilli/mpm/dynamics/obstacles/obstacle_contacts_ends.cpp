@@ -45,7 +45,7 @@ void ObstacleContacts<Dim>::join_ends(const DynamicsData<Dim>& data, double step
     }
     auto end =
         end_contact(data, surface(), contact, contact.on_edge, face_of(data, contact.row), is_held);
-    if (end && end->gap <= skin(contact.row) + touching_gap * h && end->gap > -deepest * h) {
+    if (end && end->gap <= skin(data, contact.row) + touching_gap * h && end->gap > -deepest * h) {
       end->contact = k;
       ends.push_back(*end);
     }
@@ -62,7 +62,7 @@ void ObstacleContacts<Dim>::join_ends(const DynamicsData<Dim>& data, double step
     if (contact.joint) {
       contact.face = end.face;
       contact.normal = end.end.normal.template head<Dim>().normalized();
-      contact.bound = -std::max(0.0, end.gap - skin(contact.row)) / step;
+      contact.bound = -std::max(0.0, end.gap - skin(data, contact.row)) / step;
     }
   }
 }

@@ -43,7 +43,7 @@ bool ObstacleContacts<Dim>::place_on_nodes(const DynamicsData<Dim>& data, const 
 template <int Dim>
 Contact<Dim> ObstacleContacts<Dim>::contact_at(const DynamicsData<Dim>& data, Index row,
                                                const Vec3& x, double gap, double step) const {
-  const double reaches = skin(row);
+  const double reaches = skin(data, row);
   const Vec3 normal = normal_at(x);
   Contact<Dim> contact;
   contact.row = row;
@@ -61,23 +61,20 @@ Contact<Dim> ObstacleContacts<Dim>::contact_at(const DynamicsData<Dim>& data, In
   return contact;
 }
 
-/// What presses the obstacle reaches to its surface: as the load on it falls, material stretches
-/// away from it. Not beyond what is elastic: clay that flows round the end of a strip pressed it
-/// with 2 % more.
+/// The material between a point and its surface swells and shrinks as the point does, by little:
+/// where it flows its shape is not known.
 template <int Dim>
-void ObstacleContacts<Dim>::stretch_skin(Index row, double gap) {
+double ObstacleContacts<Dim>::skin(const DynamicsData<Dim>& data, Index row) const {
   constexpr double most = 0.02;
-  const double* memory = memory_.data() + row * kept;
-  double* skin = skin_.data() + row * skin_.components();
-  if (std::floor(memory[stamp]) == steps_ && memory[held] > 0.0) {
-    skin[0] = std::max(skin[0], std::min(gap, (1.0 + most) * skin[1]));
-  }
+  const double* start = skin_.data() + row * skin_.components();
+  const double swelling = std::as_const(data.points).volume()[row] / start[1];
+  return start[0] * std::clamp(swelling, 1.0 - most, 1.0 + most);
 }
 
 /// m^(Dim-1), of a point at a surface.
 template <int Dim>
 double ObstacleContacts<Dim>::face_of(const DynamicsData<Dim>& data, Index row) const {
-  return std::as_const(data.points).volume()[row] / (2.0 * skin(row));
+  return std::as_const(data.points).volume()[row] / (2.0 * skin(data, row));
 }
 
 /// What take(row, add) adds of the points, in their order.
@@ -104,7 +101,7 @@ template <int Dim>
 std::vector<SurfaceFoot<Dim>> ObstacleContacts<Dim>::feet(const DynamicsData<Dim>& data,
                                                           double travelled) const {
   return near<SurfaceFoot<Dim>>(data, [&](Index row, const auto& add) {
-    const double touch = skin(row) + touching_gap * data.grid.cell_size();
+    const double touch = skin(data, row) + touching_gap * data.grid.cell_size();
     if (memory_[row * kept] - travelled > touch) {
       return;
     }
@@ -122,14 +119,13 @@ void ObstacleContacts<Dim>::find(const DynamicsData<Dim>& data, double step, dou
                                  double reach) {
   const double h = data.grid.cell_size();
   contacts_ = near<Contact<Dim>>(data, [&](Index row, const auto& add) {
-    const double zone = skin(row) + 0.5 * h;
+    const double zone = skin(data, row) + 0.5 * h;
     double& clear = memory_[row * kept];  // what it was, plus what had been travelled then
     if (clear - travelled > zone + reach) {
       return;
     }
     const Vec3 x = in_space<Dim>(data.points.template position<Dim>(row));
     const double gap = clearance(x);
-    stretch_skin(row, gap);
     clear = gap + travelled - reach;
     if (gap < zone) {
       Contact<Dim> contact = contact_at(data, row, x, gap, step);

@@ -43,7 +43,7 @@ PointSkins::PointSkins(Points& points, const std::vector<DynamicsBody>& bodies, 
 
 double PointSkins::towards(const Points& points, const DynamicsBody& body, Index row,
                            const std::function<Vec3(const Vec3&)>& way_at) const {
-  constexpr double aligned = 0.95, near = 1e-6;
+  constexpr double aligned = 0.95, at_a_corner = 0.8, near = 1e-6;
   constexpr int most_steps = 30;
   const double spacing = 2.0 * half_spacing(body, cell_);
   const Vec3 place = place_of(points, row);
@@ -51,6 +51,9 @@ double PointSkins::towards(const Points& points, const DynamicsBody& body, Index
     return skin_[row];
   }
   const Vec3 way = way_at(place);
+  if (gradient(*body.shape, place).dot(way) > at_a_corner) {
+    return skin_[row];  // one face, perhaps a round one, which turns as it rolls
+  }
   double depth = skin_[row];
   for (int step = 0; step < most_steps && depth < spacing; ++step) {
     const Vec3 at = place + depth * way;
