@@ -1,4 +1,4 @@
-# Headers that most sources of a target read, parsed once for it. Each level of optimization has its
+# Headers that most sources of a target read, parsed once for it. Each level of optimisation has its
 # own: those of another level change the code. Not with sanitizers and not without batches, so that
 # every source still says what it includes.
 function(lapilli_precompiled_headers target)
