@@ -4,6 +4,7 @@
 
 #include "lapilli/materials/dual.hpp"
 #include "lapilli/materials/solid.hpp"
+#include "lapilli/materials/stress_of_duals.hpp"
 
 namespace lapilli {
 
@@ -29,18 +30,21 @@ void return_in_parts(const Law& law, Real (&stress)[6], const Real (&whole)[6], 
   }
 }
 
+inline SymmetricTensor added(SymmetricTensor stress, const SymmetricTensor& change) {
+  for (int c = 0; c < 6; ++c) {
+    stress[c] += change[c];
+  }
+  return stress;
+}
+
 /// The stress that a law allows after a strain that would change `from` by the elastic stress
 /// `change`; `state` follows.
 inline SymmetricTensor return_along(const SolidLaw& law, const SymmetricTensor& from,
                                     const SymmetricTensor& change, double* state) {
   return std::visit(
       [&]<class Law>(const Law& one) {
-        SymmetricTensor trial = from;
-        for (int c = 0; c < 6; ++c) {
-          trial[c] += change[c];
-        }
         if constexpr (parts_of_strain<Law> == 1) {
-          return return_stress(law, trial, state);
+          return return_stress(law, added(from, change), state);
         } else {
           double stress[6], whole[6];
           std::copy(from.components.begin(), from.components.end(), stress);
@@ -58,12 +62,8 @@ inline SymmetricTensor slope_along(const SolidLaw& law, const SymmetricTensor& f
                                    StressSlope& slope) {
   return std::visit(
       [&]<class Law>(const Law& one) {
-        SymmetricTensor reached = from;
-        for (int c = 0; c < 6; ++c) {
-          reached[c] += change[c];
-        }
         if constexpr (parts_of_strain<Law> == 1) {
-          return stress_and_slope(law, reached, state, slope);
+          return stress_and_slope(law, added(from, change), state, slope);
         } else {
           using Real = Dual<6>;
           Real stress[6], whole[6], states[Law::states];
@@ -75,16 +75,7 @@ inline SymmetricTensor slope_along(const SolidLaw& law, const SymmetricTensor& f
             states[k] = as<Real>(state[k]);
           }
           return_in_parts(one, stress, whole, states);
-          for (int c = 0; c < 6; ++c) {
-            reached[c] = stress[c].value;
-            for (int k = 0; k < 6; ++k) {
-              slope(c, k) = stress[c].slope[static_cast<std::size_t>(k)];
-            }
-          }
-          for (int k = 0; k < Law::states; ++k) {
-            state[k] = states[k].value;
-          }
-          return reached;
+          return stress_of_duals(stress, states, Law::states, state, slope);
         }
       },
       law);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lapilli/materials/dual.hpp"
+#include "lapilli/materials/stress_of_duals.hpp"
 #include "lapilli/materials/stress_slope.hpp"
 
 namespace lapilli {
@@ -24,17 +25,7 @@ SymmetricTensor differentiate_return(const Law& law, const SymmetricTensor& tria
     states[k] = as<Real>(state[k]);
   }
   law.return_stress(stress, states);
-  SymmetricTensor reached;
-  for (int c = 0; c < 6; ++c) {
-    reached[c] = stress[c].value;
-    for (int k = 0; k < 6; ++k) {
-      slope(c, k) = stress[c].slope[static_cast<std::size_t>(k)];
-    }
-  }
-  for (int k = 0; k < Law::states; ++k) {
-    state[k] = states[k].value;
-  }
-  return reached;
+  return stress_of_duals(stress, states, Law::states, state, slope);
 }
 
 /// Of an isotropic law given by its sorted principal stresses, f(t1, t2, t3) with members s1, s2,

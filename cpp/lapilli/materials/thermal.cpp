@@ -66,4 +66,8 @@ double largest_conductivity(const Thermal& material) {
   return principal_conductivities(material).maxCoeff();
 }
 
+double depth_of_heat(const Thermal& material, double time) {
+  return std::sqrt(largest_conductivity(material) / material.capacity() * time);
+}
+
 }  // namespace lapilli

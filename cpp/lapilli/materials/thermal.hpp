@@ -59,4 +59,7 @@ void check(const Thermal& material);
 /// Largest eigenvalue of the conductivity, which limits an explicit step, W/(m K).
 double largest_conductivity(const Thermal& material);
 
+/// How far heat comes into a material within a time (s), m: the root of diffusivity x time.
+double depth_of_heat(const Thermal& material, double time);
+
 }  // namespace lapilli

@@ -52,7 +52,6 @@ PeridynamicFlow<Dim>::PeridynamicFlow(Points& points, std::shared_ptr<WallSurfac
       weight_{settings.influence, settings.horizon * walls_->spacing(), walls_->spacing(), true},
       lattice_constant_(2.0 / lattice_moment(Dim, weight_)),
       gravity_(vector_of<Dim>(settings.gravity)),
-      middle_(Vec<Dim>::Zero()),
       sound_speed_(choose_sound_speed(points, *walls_, settings, fluid, heat)),
       pressure_{fluid.newtonian.density, sound_speed_, settings.stiffness_exponent},
       two_field_(settings.laplacian == Laplacian::literal ||

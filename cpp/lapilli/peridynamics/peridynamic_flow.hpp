@@ -94,10 +94,8 @@ class PeridynamicFlow final : public Flow, public Warnings {
 
   /// Share of gravity by which a point is heavier than the fluid in the mean, 1.
   double share_of_gravity(Index point) const;
-  /// Pressure of the uniform weight, Pa. It balances that weight exactly wherever points are, so
-  /// neither enters the sums over bonds; `find_middle` says where it is zero.
-  double height_pressure(Index point) const;
-  void find_middle();
+  /// Mean place of the fluid, m.
+  Vec<Dim> middle() const;
   Vec<Dim> body_force(Index point) const {  // acceleration, m/s^2
     return share_of_gravity(point) * gravity_;
   }
@@ -114,7 +112,7 @@ class PeridynamicFlow final : public Flow, public Warnings {
   PrintedEquations printed_;
   BondWeight weight_;
   double lattice_constant_;
-  Vec<Dim> gravity_, middle_;  // m/s^2; m, mean place of the fluid
+  Vec<Dim> gravity_;
   double sound_speed_;
   EquationOfState pressure_;
   bool two_field_;

@@ -28,12 +28,15 @@ double two_digits(double number) {
 
 template <int Dim>
 void PeridynamicFlow<Dim>::refresh_output() {
-  const bool weighs = settings_.buoyancy == Buoyancy::full;
-  if (weighs) {
-    find_middle();
-  }
   for (Index i = 0; i < points_.size(); ++i) {
-    pressure_field_[i] = pressure_(density_[i]) + (weighs ? height_pressure(i) : 0.0);
+    pressure_field_[i] = pressure_(density_[i]);
+  }
+  if (settings_.buoyancy == Buoyancy::full) {
+    // The pressure of the uniform weight balances it wherever points are: neither is in the sums.
+    const Vec<Dim> from = middle();
+    for (Index i = 0; i < points_.size(); ++i) {
+      pressure_field_[i] += fluid_.density * gravity_.dot(points_.position<Dim>(i) - from);
+    }
   }
 }
 

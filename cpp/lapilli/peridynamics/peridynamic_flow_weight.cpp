@@ -11,21 +11,16 @@ double PeridynamicFlow<Dim>::share_of_gravity(Index point) const {
 }
 
 template <int Dim>
-double PeridynamicFlow<Dim>::height_pressure(Index point) const {
-  return fluid_.density * gravity_.dot(points_.position<Dim>(point) - middle_);
-}
-
-template <int Dim>
-void PeridynamicFlow<Dim>::find_middle() {
-  middle_.setZero();
+Vec<Dim> PeridynamicFlow<Dim>::middle() const {
+  Vec<Dim> moment = Vec<Dim>::Zero();
   double mass = 0.0;
   for (Index i = 0; i < points_.size(); ++i) {
     if (fluid(i)) {
-      middle_ += mass_[i] * points_.position<Dim>(i);
+      moment += mass_[i] * points_.position<Dim>(i);
       mass += mass_[i];
     }
   }
-  middle_ /= mass;
+  return moment / mass;
 }
 
 template <int Dim>
@@ -49,8 +44,7 @@ void PeridynamicFlow<Dim>::balance_density() {
 
 #define LAPILLI_INSTANTIATE(Dim)                                       \
   template double PeridynamicFlow<Dim>::share_of_gravity(Index) const; \
-  template double PeridynamicFlow<Dim>::height_pressure(Index) const;  \
-  template void PeridynamicFlow<Dim>::find_middle();                   \
+  template Vec<Dim> PeridynamicFlow<Dim>::middle() const;              \
   template void PeridynamicFlow<Dim>::balance_density();
 LAPILLI_INSTANTIATE(1)
 LAPILLI_INSTANTIATE(2)

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "lapilli/core/in_brackets.hpp"
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/come_near.hpp"
@@ -106,7 +107,7 @@ bool differ(const Value& one, const Value& other) {
 
 std::string called(const Scene& scene, std::size_t body) {
   const std::string& name = scene.bodies[body].name;
-  return message("bodies.", body, name.empty() ? std::string() : message(" (", name, ")"));
+  return message("bodies.", body, in_brackets(name));
 }
 
 Depth depth_in(const Scene& scene, std::size_t k, const Thermal& thermal) {
@@ -210,10 +211,6 @@ void look_at_walls(const Scene& scene, Depth depth, double conductivity,
 }
 
 }  // namespace
-
-double depth_of_heat(const Thermal& thermal, double time) {
-  return std::sqrt(largest_conductivity(thermal) / thermal.capacity() * time);
-}
 
 std::vector<Note> shallow_heat(const Scene& scene) {
   std::optional<Shallow> worst;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "lapilli/core/in_brackets.hpp"
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/asks_for_points.hpp"
@@ -162,7 +163,7 @@ std::optional<Note> start_note(const Body& body, std::size_t k) {
   if (!std::holds_alternative<Table>(start.form()) || start.least() == start.largest()) {
     return {};
   }
-  const std::string name = body.name.empty() ? std::string() : message(" (", body.name, ")");
+  const std::string name = in_brackets(body.name);
   return note("heat.start-table", "bodies.", k, ".temperature", name,
               " is a table in time, of which only ", start.at(0.0),
               ", the value at the start, is taken: what holds a temperature ",

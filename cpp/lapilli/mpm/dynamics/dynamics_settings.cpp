@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/core/in_brackets.hpp"
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 
@@ -85,8 +86,7 @@ std::vector<Note> warnings(const DynamicsSettings& settings) {
   }
   for (std::size_t k = 0; k < settings.obstacles.size(); ++k) {
     const Obstacle& one = settings.obstacles[k];
-    const std::string name =
-        message("dynamics.obstacles.", k, one.name.empty() ? "" : " (" + one.name + ")");
+    const std::string name = message("dynamics.obstacles.", k, in_brackets(one.name));
     if (one.revolutions_per_second != 0.0 && one.center.empty() && !one.mass) {
       all.push_back(
           note("dynamics.obstacle-center", name,

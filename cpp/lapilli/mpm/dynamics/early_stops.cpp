@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lapilli/core/in_brackets.hpp"
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/bounds.hpp"
@@ -64,8 +65,7 @@ void note_ends(const DynamicsData<Dim>& data, int face, std::vector<Note>& all) 
     const double gap = face % 2 == 1 ? data.grid.upper()[axis] - box.upper[axis]
                                      : box.lower[axis] - data.grid.lower()[axis];
     if (gap > touching * h && gap < h) {
-      all.push_back(note("dynamics.obstacle-end", "dynamics.obstacles.", k,
-                         one.name.empty() ? std::string() : " (" + one.name + ")",
+      all.push_back(note("dynamics.obstacle-end", "dynamics.obstacles.", k, in_brackets(one.name),
                          " moves along the grid boundary ", name_of(static_cast<GridFace>(face)),
                          " and ends ", std::round(100.0 * gap / h) / 100.0,
                          " cells from it: what passes between them is left behind anywhere, and in "

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/core/in_brackets.hpp"
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
@@ -54,15 +55,14 @@ std::vector<Note> coarse_sources(std::span<const SurfaceFound> found,
     const double thickness = 2.0 * found[k].volume / out.area;
     const double cells = thickness / problem.grid.cell_size();
     const double conductivity = largest_conductivity(body.material);
-    const bool risen =
-        conductivity / body.material.capacity() * time > evened_out * thickness * thickness;
+    const double depth = depth_of_heat(body.material, time);
+    const bool risen = depth * depth > evened_out * thickness * thickness;
     const double within = thickness * thickness / (8.0 * conductivity);
     const double rise = within + 0.5 * thickness * out.resistance;  // times the source
     const double off = std::min(0.5, 0.2 / (cells * cells)) * within / rise;
     if (risen && off > least_told && off * rise * std::abs(body.source.at(time)) > 0.01 * span) {
       all.push_back(
-          note("heat.few-cells", "bodies.", k,
-               body.name.empty() ? std::string() : message(" (", body.name, ")"),
+          note("heat.few-cells", "bodies.", k, in_brackets(body.name),
                " is heated from within and ", std::round(10.0 * cells) / 10.0,
                " cells thick (twice its volume over its surface): its rise of temperature "
                "may be ",

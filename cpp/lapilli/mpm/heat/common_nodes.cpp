@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lapilli/core/in_brackets.hpp"
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/geometry/come_near.hpp"
@@ -73,9 +74,7 @@ std::vector<Note> common_nodes(const std::vector<std::vector<std::size_t>>& toge
   if (!pair) {
     return {};
   }
-  const auto called = [&](std::size_t body) {
-    return bodies[body].name.empty() ? std::string() : message(" (", bodies[body].name, ")");
-  };
+  const auto called = [&](std::size_t body) { return in_brackets(bodies[body].name); };
   // A face at f of a cell: f + (1 - f) / c against 1 / (f + (1 - f) c), at most. Slabs of ten
   // cells: 5 % of heat too much for a contrast of 4, 22 % for 100.
   const double thinner = std::pow(1.0 - 1.0 / std::sqrt(pair->contrast), 2) * cell_size;

@@ -5,14 +5,10 @@
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/bridged_gaps.hpp"
-#include "lapilli/mpm/heat/coarse_sources.hpp"
 #include "lapilli/mpm/heat/cut_cell_heat.hpp"
-#include "lapilli/mpm/heat/drawn_gaps.hpp"
 #include "lapilli/mpm/heat/functions_in_time.hpp"
 #include "lapilli/mpm/heat/heat_balance.hpp"
-#include "lapilli/mpm/heat/meeting_conditions.hpp"
-#include "lapilli/mpm/heat/slanted_interfaces.hpp"
-#include "lapilli/mpm/heat/strong_ends.hpp"
+#include "lapilli/mpm/heat/surface_warnings.hpp"
 #include "lapilli/mpm/heat/temperature_range.hpp"
 #include "lapilli/mpm/surface/cut_shape.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
@@ -119,19 +115,8 @@ SurfaceView CutCellHeat<Dim>::surface() const {
 
 template <int Dim>
 std::vector<Note> CutCellHeat<Dim>::warnings() const {
-  std::vector<Note> all = slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
-  std::ranges::copy(drawn_gaps(found_, problem_.bodies, problem_.grid.cell_size(), Dim),
-                    std::back_inserter(all));
-  std::ranges::copy(narrow_holds(found_, problem_.settings), std::back_inserter(all));
-  std::ranges::copy(regions_below(found_, problem_.settings, problem_.grid.cell_size()),
-                    std::back_inserter(all));
-  std::ranges::copy(coarse_sources<Dim>(found_, problem_, temperature_span(), time_),
-                    std::back_inserter(all));
-  std::ranges::copy(fluxes_beside(found_, problem_.settings, laws_.account()),
-                    std::back_inserter(all));
-  std::ranges::copy(crossing_heat(found_, problem_.bodies, problem_.settings, laws_.account(),
-                                  problem_.grid.cell_size(), time_),
-                    std::back_inserter(all));
+  std::vector<Note> all =
+      surface_warnings<Dim>(found_, problem_, laws_.account(), temperature_span(), time_);
   for (const Solved& one : solved_) {
     std::ranges::copy(bridged_gaps(problem_, one.part), std::back_inserter(all));
   }

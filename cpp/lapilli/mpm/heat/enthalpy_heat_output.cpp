@@ -5,12 +5,9 @@
 #include "lapilli/core/pair_entries.hpp"
 #include "lapilli/core/require.hpp"
 #include "lapilli/mpm/heat/bridged_gaps.hpp"
-#include "lapilli/mpm/heat/coarse_sources.hpp"
-#include "lapilli/mpm/heat/drawn_gaps.hpp"
 #include "lapilli/mpm/heat/enthalpy_heat.hpp"
-#include "lapilli/mpm/heat/meeting_conditions.hpp"
-#include "lapilli/mpm/heat/slanted_interfaces.hpp"
 #include "lapilli/mpm/heat/strong_ends.hpp"
+#include "lapilli/mpm/heat/surface_warnings.hpp"
 #include "lapilli/mpm/surface/cut_shape.hpp"
 #include "lapilli/mpm/transfer/weights.hpp"
 
@@ -157,18 +154,7 @@ SurfaceView EnthalpyHeat<Dim>::surface() const {
 
 template <int Dim>
 std::vector<Note> EnthalpyHeat<Dim>::warnings() const {
-  std::vector<Note> all = slanted_interfaces(found_, problem_.bodies, problem_.grid.cell_size());
-  std::ranges::copy(drawn_gaps(found_, problem_.bodies, problem_.grid.cell_size(), Dim),
-                    std::back_inserter(all));
-  std::ranges::copy(narrow_holds(found_, problem_.settings), std::back_inserter(all));
-  std::ranges::copy(regions_below(found_, problem_.settings, problem_.grid.cell_size()),
-                    std::back_inserter(all));
-  std::ranges::copy(coarse_sources<Dim>(found_, problem_, 0.0, time_), std::back_inserter(all));
-  std::ranges::copy(fluxes_beside(found_, problem_.settings, laws_.account()),
-                    std::back_inserter(all));
-  std::ranges::copy(crossing_heat(found_, problem_.bodies, problem_.settings, laws_.account(),
-                                  problem_.grid.cell_size(), time_),
-                    std::back_inserter(all));
+  std::vector<Note> all = surface_warnings<Dim>(found_, problem_, laws_.account(), 0.0, time_);
   std::ranges::copy(steps_between(found_, problem_.settings), std::back_inserter(all));
   for (const Solved& one : solved_) {
     std::ranges::copy(bridged_gaps(problem_, one.part), std::back_inserter(all));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "lapilli/core/points.hpp"
@@ -83,6 +84,16 @@ struct SurfaceFound {
   };
   std::vector<Meeting> meetings;
 };
+
+/// Of a condition on all bodies, m^(dim-1).
+inline double on_all_bodies(std::span<const SurfaceFound> found, std::size_t law,
+                            double SurfaceFound::Ends::*part) {
+  double sum = 0.0;
+  for (const SurfaceFound& body : found) {
+    sum += law < body.ends.size() ? body.ends[law].*part : 0.0;
+  }
+  return sum;
+}
 
 /// Two bodies that touch with a resistance.
 struct ResistingContact {

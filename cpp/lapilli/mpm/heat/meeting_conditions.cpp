@@ -157,12 +157,6 @@ std::vector<Note> fluxes_beside(std::span<const SurfaceFound> found, const HeatS
   // cells, times of .02 to .4, anywhere on the grid: .08 cells of the flux off, .21 at worst.
   constexpr double known_to = 0.7;
   const std::size_t laws = settings.boundaries.size();
-  std::vector<double> area(laws, 0.0);
-  for (const SurfaceFound& body : found) {
-    for (std::size_t law = 0; law < body.ends.size(); ++law) {
-      area[law] += body.ends[law].area;
-    }
-  }
   std::vector<Note> all;
   for (std::size_t law = 0; law < laws; ++law) {
     double worst = 0.0;
@@ -179,7 +173,9 @@ std::vector<Note> fluxes_beside(std::span<const SurfaceFound> found, const HeatS
       // What all leaves by the other in the end does so whatever the way.
       const double kept =
           std::min(std::abs(heat.heat(flux)), std::abs(heat.heat(flux) + heat.heat(law)));
-      if (const double off = known_to * lost / area[flux] * kept; off > worst) {
+      if (const double off =
+              known_to * lost / on_all_bodies(found, flux, &SurfaceFound::Ends::area) * kept;
+          off > worst) {
         worst = off;
         beside = flux;
       }

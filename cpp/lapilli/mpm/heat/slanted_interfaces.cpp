@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapilli/core/in_brackets.hpp"
 #include "lapilli/core/note_kinds.hpp"
 #include "lapilli/core/require.hpp"
 
@@ -33,8 +34,7 @@ std::vector<Note> slanted_interfaces(std::span<const SurfaceFound> found,
   const std::string excess =
       share < 0.5 ? message("up to ", std::lround(100.0 * share / (1.0 - share)), " %")
                   : std::string("several times");
-  const std::string name =
-      bodies[worst].name.empty() ? std::string() : message(" (", bodies[worst].name, ")");
+  const std::string name = in_brackets(bodies[worst].name);
   const double bond = 1e3 * conductivity * own.slanted / own.volume;
   const double digits = std::pow(10.0, std::floor(std::log10(bond)));
   return {note("heat.slanted-interface", "bodies.", worst, name, " touches a body that conducts ",

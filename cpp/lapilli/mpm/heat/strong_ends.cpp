@@ -158,11 +158,8 @@ std::vector<std::vector<SurfacePiece<Dim>>> StrongEnds<Dim>::pieces(SurfaceFound
 std::vector<Note> narrow_holds(std::span<const SurfaceFound> found, const HeatSettings& settings) {
   std::vector<Note> all;
   for (std::size_t law = 0; law < settings.boundaries.size(); ++law) {
-    double area = 0.0, lost = 0.0;
-    for (const SurfaceFound& body : found) {
-      area += law < body.ends.size() ? body.ends[law].area : 0.0;
-      lost += law < body.ends.size() ? body.ends[law].lost : 0.0;
-    }
+    const double area = on_all_bodies(found, law, &SurfaceFound::Ends::area);
+    const double lost = on_all_bodies(found, law, &SurfaceFound::Ends::lost);
     // Found on patches of .3 to 5 cells: 3 % at 4 cells, 10 % at one.
     const double off = area > 0.0 ? (lost < most_lost * area ? 0.3 : 0.5) * lost / area : 0.0;
     if (off > 0.03) {
@@ -181,11 +178,8 @@ std::vector<Note> regions_below(std::span<const SurfaceFound> found, const HeatS
   constexpr double told = 0.02;
   std::vector<Note> all;
   for (std::size_t law = 0; law < settings.boundaries.size(); ++law) {
-    double area = 0.0, outside = 0.0;
-    for (const SurfaceFound& body : found) {
-      area += law < body.ends.size() ? body.ends[law].area : 0.0;
-      outside += law < body.ends.size() ? body.ends[law].beyond : 0.0;
-    }
+    const double area = on_all_bodies(found, law, &SurfaceFound::Ends::area);
+    const double outside = on_all_bodies(found, law, &SurfaceFound::Ends::beyond);
     if (outside > told * area) {
       all.push_back(note("heat.region-below", "heat.boundaries.", law, " (",
                          name_of_law(settings.boundaries[law], law),

@@ -59,14 +59,6 @@ SymmetricTensor SolidState::stress(Index point) const {
   return tensor_at(stress_.data() + 6 * point);
 }
 
-SymmetricTensor SolidState::trial(Index point, Index body, const SymmetricTensor& strain) const {
-  SymmetricTensor stress = stress_of(elastic_[body], strain);
-  for (int c = 0; c < 6; ++c) {
-    stress[c] += stress_[6 * point + c];
-  }
-  return stress;
-}
-
 SymmetricTensor SolidState::stress_after(Index point, Index body,
                                          const SymmetricTensor& strain) const {
   auto state = states_.read(body, point);
@@ -75,9 +67,9 @@ SymmetricTensor SolidState::stress_after(Index point, Index body,
 
 bool SolidState::yields_after(Index point, Index body, const SymmetricTensor& strain) const {
   auto state = states_.read(body, point);
-  const SymmetricTensor elastic = trial(point, body, strain);
-  const SymmetricTensor reached =
-      return_along(laws_[body], stress(point), stress_of(elastic_[body], strain), state.data());
+  const SymmetricTensor before = stress(point), more = stress_of(elastic_[body], strain);
+  const SymmetricTensor elastic = added(before, more);
+  const SymmetricTensor reached = return_along(laws_[body], before, more, state.data());
   constexpr double rounding = 1e-12;
   double size = 0.0, change = 0.0;
   for (int c = 0; c < 6; ++c) {

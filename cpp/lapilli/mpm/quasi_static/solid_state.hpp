@@ -50,8 +50,6 @@ class SolidState {
   void load(const Archive& archive);
 
  private:
-  SymmetricTensor trial(Index point, Index body, const SymmetricTensor& strain) const;
-
   std::vector<LinearElastic> elastic_;  // by body
   std::vector<SolidLaw> laws_;          // by body
   bool can_yield_ = false;
